@@ -20,7 +20,7 @@ int bundle_tails(const BundleDef *bundle)
 
 /* ---------------------------------------------------------------------------------- the equivalent cable */
 
-/* "3 x phase + 1 x earth", as far as it fits. */
+/* Writes "3 x phase + 1 x earth", as far as it fits. */
 static void name_make(const SceneDef *def, char name[NAME_MAX_LENGTH])
 {
     const BundleSet *const set = &def->bundle.set;
@@ -31,7 +31,7 @@ static void name_make(const SceneDef *def, char name[NAME_MAX_LENGTH])
     }
 }
 
-/* Tables of bending and damping by ratio belong to one kind of cable: several kinds have none in common. */
+/* Refuses tables of bending and damping by ratio for sets of several kinds: they belong to one kind of cable. */
 static hawser_status unlike_check(const SceneDef *def, hawser_error *err)
 {
     const BundleDef *const b = &def->bundle;
@@ -70,7 +70,7 @@ static void cable_add(const BundleDef *b, const CableDef *one, int n, CableDef *
     for (int i = 0; i < one->bending.rows; ++i) sum->bending.moment[i] *= n * lay.bending;
 }
 
-/* (BU1)-(BU5). */
+/* Builds the equivalent cable, (BU1)-(BU5). */
 static CableDef equivalent_make(const SceneDef *def)
 {
     const BundleDef *const b = &def->bundle;
@@ -79,7 +79,7 @@ static CableDef equivalent_make(const SceneDef *def)
     const double stiffness[COMPONENTS] = {sum.ea, sum.ga, sum.ga, sum.gj, sum.ei_y, sum.ei_z};
     for (int c = 0; c < COMPONENTS; ++c) sum.damping_factor[c] /= stiffness[c];
     sum.gyration = sqrt(sum.gyration / sum.mass);
-    const CableDef *const first = &def->cables[b->member[0]]; /* ratios are there of one kind only */
+    const CableDef *const first = &def->cables[b->member[0]]; /* ratios exist only for a single kind */
     if (b->set.kinds == 1) memcpy(sum.damping_ratio, first->damping_ratio, sizeof sum.damping_ratio);
     if (b->set.kinds == 1) sum.damping_ratio_at = first->damping_ratio_at;
     name_make(def, sum.name);
@@ -124,10 +124,10 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
                            .lying = duct->lying};
     DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
     DuctDef several = duct->several;
-    set.lying = duct->lying; /* which it refuses */
+    set.lying = duct->lying; /* refused by duct_load for a set */
     several.duct_diameter = inside;
     several.oval = b->set.oval;
-    if (several.cables > 0 && !duct_load(&several, out, NULL)) return HAWSER_OK; /* else each is one alone */
+    if (several.cables > 0 && !duct_load(&several, out, NULL)) return HAWSER_OK; /* otherwise each counts alone */
     return duct_load(bundle_present(b) ? &set : &alone, out, err);
 }
 
@@ -149,7 +149,7 @@ static int is_occupied(const SurfaceDef *surface)
     return surface && surface->shape.kind == SURFACE_DUCT && surface->lying.cables > 0;
 }
 
-/* The load where it counts: several cables in a duct. 0: elsewhere. */
+/* Computes the load of several cables in a duct; returns 0 elsewhere. */
 static int load_there(const SceneDef *def, const SurfaceDef *surface, DuctLoad *load)
 {
     const int several = bundle_present(&def->bundle) && surface && surface->shape.kind == SURFACE_DUCT;
@@ -174,14 +174,14 @@ double bundle_theory_friction(const SceneDef *def, const SurfaceDef *surface, in
 double bundle_share(const SceneDef *def, const SurfaceDef *surface)
 {
     DuctLoad load;
-    const int several = surface && surface->several.cables > 0; /* chains beside each other: each has its own tension */
+    const int several = surface && surface->several.cables > 0; /* parallel chains: each has its own tension */
     if (several && !duct_load(&surface->several, &load, NULL))
         return load.sidewall_factor * (surface->several.cables + surface->several.thinner);
     if (!bundle_present(&def->bundle) && !is_occupied(surface)) return 1;
     return load_there(def, surface, &load) ? load.sidewall_factor : def->bundle.shape.share;
 }
 
-/* --------------------------------------------------------------------------------------------- what is said */
+/* --------------------------------------------------------------------------------------------- descriptions */
 
 JamRisk bundle_jam_risk(const SceneDef *def, const DuctLoad *load)
 {

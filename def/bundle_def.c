@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "def/duct.h"
 
-/* The n-th thickest cable's diameter, n from 0; 0 behind the last. */
+/* Diameter of the n-th thickest cable, n from 0; 0 beyond the last. */
 static double nth_diameter(const BundleSet *set, int n)
 {
     double below = INFINITY;
@@ -26,7 +26,7 @@ static double nth_diameter(const BundleSet *set, int n)
     }
 }
 
-/* Equal cables of diameter 1 about their middle (BU3). */
+/* Pitch radius of equal cables of diameter 1 about their middle (BU3). */
 static double pitch_ratio(int cables)
 {
     const double ratio[] = {0, 0.5, 1 / sqrt(3), 1 / sqrt(2)};
@@ -79,7 +79,8 @@ DuctDef bundle_in_duct(const BundleSet *set, const BundleShape *shape, double du
 LayFactors bundle_lay(const BundleSet *set, const BundleShape *shape, double EI, double GJ)
 {
     if (!set->twisted) return (LayFactors){1, 1, 1, 1};
-    const double longer = hypot(1, 2 * M_PI * shape->pitch_radius / set->lay); /* its own length over the bundle's */
+    const double longer =
+        hypot(1, 2 * M_PI * shape->pitch_radius / set->lay); /* length of a cable over that of the bundle */
     const double sine = 1 / longer, sine2 = sine * sine, cosine2 = 1 - sine2, ratio = EI / GJ;
     return (LayFactors){.mass = longer,
                         .axial = sine2 * sine,
@@ -93,7 +94,7 @@ const char *weight_correction_name(WeightCorrection correction)
     return name[correction];
 }
 
-/* In a row about the middle. */
+/* Places cables in a row about the middle. */
 static void row(double spacing, int n, double place[][2])
 {
     for (int i = 0; i < n; ++i) {
@@ -102,7 +103,7 @@ static void row(double spacing, int n, double place[][2])
     }
 }
 
-/* Along the bottom of the circle, a chord of `spacing` apart (SC2). */
+/* Places cables along the bottom of the circle, with chords of `spacing` (SC2). */
 static int cradle(const LayDef *lay, int n, double place[][2])
 {
     if (!(lay->radius > 0)) {
@@ -119,7 +120,7 @@ static int cradle(const LayDef *lay, int n, double place[][2])
     return 1;
 }
 
-/* Corners round a middle, the first on top (SC3). */
+/* Places cables at the corners of a polygon round a middle, the first on top (SC3). */
 static int polygon(const LayDef *lay, int n, double place[][2])
 {
     const double radius = n > 1 ? lay->spacing / (2 * sin(M_PI / n)) : 0;
@@ -130,7 +131,7 @@ static int polygon(const LayDef *lay, int n, double place[][2])
     return !(lay->radius > 0) || radius <= lay->radius;
 }
 
-/* In [0, 1), from the seed and a count (splitmix64). */
+/* Pseudo-random number in [0, 1) from the seed and a count (splitmix64). */
 static double chance(uint64_t *state)
 {
     uint64_t z = (*state += 0x9e3779b97f4a7c15u);
@@ -139,7 +140,7 @@ static double chance(uint64_t *state)
     return (double)((z ^ (z >> 31)) >> 11) / 9007199254740992.0;
 }
 
-/* One after the other, wherever it is clear of those before; from the beginning again where one finds no place. */
+/* Places cables one by one at random, clear of the earlier ones, and starts again if one finds no place. */
 static int scatter(const LayDef *lay, int n, double place[][2])
 {
     enum { TRIES = 1000, STARTS = 200 };

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-/* At a curvature: the moment of a table's first bending, and the work that it has taken. */
+/* Moment of a table at first bending to a curvature, and the work done up to there. */
 typedef struct Bent {
-    double moment, work; /* N m; N m for each metre */
+    double moment, work; /* N m; N m per metre */
 } Bent;
 
 static Bent bent_to(const BendingTable *t, double curvature)
@@ -28,7 +28,8 @@ double cable_def_moment(const CableDef *cable, double curvature)
     return bent_to(&cable->bending, curvature).moment;
 }
 
-/* Unbent it gives back all of k M less the doubled curve under it: W(k) - (k M(k) - 4 W(k/2)). */
+/* Energy that unbending does not return. It returns all of k M less the doubled curve below it: W(k) - (k M(k) - 4
+ * W(k/2)). */
 double cable_def_loop(const CableDef *cable, double curvature)
 {
     if (cable->bending.rows == 0) return 0;
@@ -38,25 +39,25 @@ double cable_def_loop(const CableDef *cable, double curvature)
 
 static const double PI = 3.14159265358979323846;
 
-/* Copper and aluminium wire, Pa, in the order of ConductorMetal. */
+/* Moduli of copper and aluminium wire, Pa, in the order of ConductorMetal. */
 static const double WIRE_MODULUS[] = {115e9, 69e9};
 
-/* A stranded conductor's modulus over its wire's: the lay's angle, and strands that settle. */
+/* Ratio of a stranded conductor's modulus to its wire's, due to the lay angle and settling strands. */
 static const double STRANDING = 0.85;
 
-/* Metal over the circle around a compacted conductor; its wires (IEC 60228, 400 mm2 to 800 mm2). */
+/* Metal over the circle around a compacted conductor; number of its wires (IEC 60228, 400 mm2 to 800 mm2). */
 static const double FILLING = 0.9, WIRES = 61;
 
-/* Insulation and sheath: modulus, Pa, and the mean density of all that is not metal, kg/m3. */
+/* Insulation and sheath: modulus, Pa, and mean density of everything that is not metal, kg/m3. */
 static const double PLASTIC_MODULUS = 0.3e9, PLASTIC_DENSITY = 1100;
 
-/* Copper, which metal of unknown kind is taken for, kg/m3. */
+/* Density of copper, kg/m3, assumed for unknown metal. */
 static const double METAL_DENSITY = 8890;
 
 static const double POISSON = 0.35;
 
-/* What EA and EI may be off by at least: with the conductors known, and without. Plastic is twice as stiff or half as
- * stiff on a cold or a hot day, and screens, sheaths and armour of metal are not counted. */
+/* Least uncertainty factors of EA and EI: without the conductors, and with them. The stiffness of plastic doubles or
+ * halves on a cold or a hot day, and metal screens, sheaths and armour are not included. */
 static const double AXIAL_FACTOR[] = {2, 1.3}, BENDING_FACTOR[] = {3, 2};
 
 /* Metal of all conductors, m2: as given, or from the mean density. (CS1) */
@@ -67,13 +68,14 @@ static double metal_area(const CableMake *c, double section)
     return fmin(fmax(metal, 0), FILLING * section);
 }
 
-/* Strands that slip bend one by one, strands that stick bend as one bar; bending in earnest is between the two. */
+/* Estimates rigidities. Strands that slip bend one by one, strands that stick bend as one bar; real bending is between
+ * the two. */
 StiffnessEstimate stiffness_estimate(const CableMake *c)
 {
     const int known = c->area > 0, cores = known ? c->cores : 1;
     const double d2 = c->diameter * c->diameter, section = PI * d2 / 4, metal = metal_area(c, section);
     const double modulus = STRANDING * WIRE_MODULUS[known ? c->metal : 0];
-    const double core2 = 4 * metal / cores / (PI * FILLING); /* a conductor's diameter, squared (CS3) */
+    const double core2 = 4 * metal / cores / (PI * FILLING); /* square of a conductor's diameter (CS3) */
     const double bar = modulus * metal * core2 / 16, wires = bar * FILLING / WIRES;
     const double plastic = PLASTIC_MODULUS * PI * (d2 * d2 - cores * core2 * core2) / 64;
     const double stuck = bar + plastic, slipping = wires + plastic; /* (CS4) */

@@ -1,4 +1,4 @@
-/* A command as data: what to do, with what, over how long; and what a case's script has of them. */
+/* A command as data: action, target, value and ramp; and the rows of a case's script. */
 #ifndef HAWSER_DEF_COMMAND_DEF_H
 #define HAWSER_DEF_COMMAND_DEF_H
 
@@ -6,11 +6,11 @@
 #include "def/cable_def.h"
 #include "hawser/hawser.h"
 
-/* Beside those of hawser_control: a force on a segment, which has a call of its own. */
+/* In addition to those of hawser_control: a force on a segment, which has its own call. */
 enum { COMMAND_FORCE = HAWSER_EVENT_FORCE - HAWSER_EVENT_COMMAND };
 
-/* Every kind: its number, its word in a script, the key and unit of its value (NULL: it has none; "": a number), least
- * and most of that, whether it needs the name of a thing (2: it may have one), what it is for. */
+/* Every kind: its number, its word in a script, the key and unit of its value (NULL: no value; "": a pure number),
+ * least and largest value, whether it needs a target's name (2: optional), target of the command. */
 #define COMMANDS(COMMAND)                                                                                              \
     COMMAND(HAWSER_WINCH_SPEED, "winch_speed", "speed", "m/s", -1e4, 1e4, 0, "winch")                                  \
     COMMAND(HAWSER_WINCH_TENSION, "winch_tension", "tension", "N", 0, 1e9, 0, "winch")                                 \
@@ -34,8 +34,8 @@ typedef struct CommandKind {
 } CommandKind;
 enum { COMMAND_KINDS = 12 };
 extern const CommandKind command_kinds[COMMAND_KINDS];
-extern const char *const command_words[]; /* in the same order, NULL behind the last */
-/* NULL: there is no such kind. */
+extern const char *const command_words[]; /* in the same order, with NULL at the end */
+/* Returns the kind, or NULL if there is none. */
 const CommandKind *command_kind(int kind);
 
 #define COMMAND_RAMP_USUAL 0.2 /* s */
@@ -47,8 +47,8 @@ typedef struct Command {
     char what[NAME_MAX_LENGTH]; /* ""; of friction: all */
     double value, ramp;         /* unit by kind; s */
     int segment;                /* of COMMAND_FORCE, of the whole chain */
-    int follows;                /* force and moment turn with it */
-    Vec3 force, moment, arm;    /* N, N m; m, of the segment's axes */
+    int follows;                /* force and moment rotate with it */
+    Vec3 force, moment, arm;    /* N, N m; m, in the segment's axes */
 } Command;
 
 /* One row of drive.script, by rising time. */

@@ -9,28 +9,28 @@
 
 #include "core/error.h"
 
-/* Bytes: of the program itself; of a roller with its contacts; of HDF5, and of it for each segment. */
+/* Bytes of the program itself; of a roller with its contacts; of HDF5, and of HDF5 per segment. */
 static const double PROGRAM = 13.8e6, ROLLER = 2200, STATES = 7.3e6, STATES_SEGMENT = 260;
-/* Bytes of a block of several chains' matrix off its three diagonals, with derivatives and factors, where they press on
- * each other all along (three cables in a triangle, segments of 3 to 200 mm); of another chain's file of states. */
+/* Bytes of an off-diagonal block in the matrix of several chains, with derivatives and factors, for chains in contact
+ * all along (three cables in a triangle, segments of 3 to 200 mm); of the states file of a further chain. */
 static const double COUPLED = 2000, STATES_BESIDE = 1.6e6;
-/* Bytes that a segment takes, in space and in the plane, and what a solver takes beside the block LU's. */
+/* Bytes per segment, in space and in the plane, and per segment for other solvers beyond the block LU's. */
 static const double SEGMENT[2] = {7700, 3850};
 static const double KLU[2] = {4900, 1400};
 /* Bytes of a row of series.csv; of a segment in a state, in double and in single precision. */
 static const double ROW = 200, STATE_SEGMENT = 170;
-/* s: a step of a pull that slides, in the mean; what a step takes, and each segment and roller in it. */
+/* s: mean step of a sliding pull; time of a step, and per segment and roller in it. */
 static const double STEP = 0.04, STEP_TIME = 2e-5, SEGMENT_TIME[2] = {0.9e-6, 0.35e-6}, ROLLER_TIME = 1e-6;
-/* s, of the program itself; of each segment until it is at rest; passes, two of the one to three that there may be;
- * times as much, where a drum's turns are looked through for what they touch. Of 66 cases and traps 63 take a tenth to
- * ten times what this says: 40 mm segments in bends, with steps of a millisecond, take 21 times as much, layers that
- * slip 10.0 times, and a chain that stands for an hour 1/400. */
+/* s, of the program itself; of each segment until it is at rest; number of passes (typically two of one to three);
+ * factor for the contact search of a drum's turns. 63 of 66 cases and traps take between a tenth and ten times the
+ * estimate: 40 mm segments in bends, with steps of a millisecond, take 21 times as much, layers that slip 10.0 times,
+ * and a chain at rest for an hour 1/400. */
 static const double BEGIN = 0.02, SETTLE = 6e-5, PASSES = 2, TURNS = 10;
 
 /* Chain k of a definition. */
 static const SceneDef *chain_def(const SceneDef *def, int k) { return k > 0 ? &def->beside[k - 1] : def; }
 
-/* What of a chain its couplings with another depend on. */
+/* Properties of a chain that determine its couplings with another. */
 typedef struct Side {
     double length, segments, radius; /* m; how many; m, of the thickest piece */
 } Side;
@@ -46,8 +46,8 @@ static Side side_of(const SceneDef *def)
     return side;
 }
 
-/* Blocks that couple two chains which lie along each other, in both triangles: an element finds those of the other as
- * far on as its surface, with what candidates reach (CC20) and a piece of it (CC2), may meet them. */
+/* Number of blocks that couple two parallel chains, in both triangles: an element may meet elements of the other as far
+ * away as its surface, the reach of candidates (CC20) and a piece (CC2) allow. */
 static double coupled(const Side *a, const Side *b, double reach)
 {
     const double along = fmin(a->length, b->length), radii = a->radius + b->radius;
@@ -57,7 +57,7 @@ static double coupled(const Side *a, const Side *b, double reach)
     return 2 * along / mine * (1 + 2 * window / other);
 }
 
-/* The same of all chains that are pulled beside each other; ropes run ahead of them. */
+/* The same for all chains that are pulled in parallel; ropes run ahead of them. */
 static double coupled_blocks(const SceneDef *def)
 {
     double blocks = 0, reach = def->contact_reach;
@@ -102,14 +102,14 @@ Cost cost_of(const CostCounts *c)
     cost.memory += COUPLED * c->blocks;
     if (c->states > 0) cost.memory += STATES + STATES_BESIDE * c->beside + STATES_SEGMENT * c->segments;
     if (c->turns) each *= TURNS;
-    cost.time = c->blocks > 0
-                    ? NAN
-                    : BEGIN + SETTLE * c->segments +
-                          PASSES * c->duration / longest * each; /* chains that press take what no count says */
+    cost.time = c->blocks > 0 ? NAN
+                              : BEGIN + SETTLE * c->segments +
+                                    PASSES * c->duration / longest *
+                                        each; /* the contact of several chains costs more than these counts show */
     return cost;
 }
 
-/* A number with the largest unit of which it is more than one; the units rise, and end with NULL. */
+/* Writes a number with the largest unit of which it is more than one; the units rise, and end with NULL. */
 typedef struct Unit {
     const char *name;
     double size;
@@ -132,7 +132,7 @@ void cost_say(const Cost *cost, int size, char *text)
     snprintf(text, (size_t)size, cost->time >= 0 ? "needs %s, %s" : "needs %s", memory, time);
 }
 
-/* Bytes; INFINITY: nobody says. */
+/* Available memory in bytes; INFINITY: unknown. */
 static double memory_there(void)
 {
     struct rlimit limit;

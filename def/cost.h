@@ -1,37 +1,37 @@
-/* Estimate of the memory, disk and time of a run, before anything is built. tests/inject/cost.py compares the memory
- * with measured values. */
+/* Estimated cost of a run before anything is allocated: memory, disk and time. docs/reliability.md compares it with
+ * measurements. */
 #ifndef HAWSER_DEF_COST_H
 #define HAWSER_DEF_COST_H
 
 #include "def/scene_def.h"
 
-/* What it depends on. */
+/* Quantities that determine the cost. */
 typedef struct CostCounts {
     double segments, rollers;
     double beside;       /* further chains */
-    double blocks;       /* that couple several chains beside each other: 6 x 6, off the three diagonals */
+    double blocks;       /* coupling several parallel chains: 6 x 6, off the three diagonals */
     double rows, states; /* of series.csv and of results.h5 */
     double duration;     /* s; NAN: not known */
-    double step;         /* s, the longest that is allowed; 0: any */
+    double step;         /* s, longest allowed step; 0: no limit */
     int planar;          /* solved in the plane */
-    int turns;           /* what is wound on a drum is simulated too */
+    int turns;           /* the cable wound on a drum is simulated too */
     LinKind solver;
 } CostCounts;
 
 typedef struct Cost {
-    double memory, disk; /* bytes, at most at a time; bytes of results */
+    double memory, disk; /* bytes, maximum at any time; bytes of results */
     double time;         /* s, of one thread; NAN: not known */
 } Cost;
 
-/* Of a definition that is complete. All of the chain, or of all chains, counts, as it does when all of it has come off
- * its reel. */
+/* Computes the counts of a complete definition. The whole chain, or all chains, count, as after they have left the
+ * reel. */
 CostCounts cost_counts(const SceneDef *def, int planar);
 Cost cost_of(const CostCounts *counts);
-/* "needs 74 GB, 2.1 h": without the time where it is not known. */
+/* Writes "needs 74 GB, 2.1 h", without the time if it is unknown. */
 void cost_say(const Cost *cost, int size, char *text);
 
-/* Whether there is so much memory: what is built into the machine, or what the system lets the program have. The scene
- * counts as one in the plane where nobody has said that it is none. Errors: MEMORY, with the estimate. */
+/* Checks that the memory suffices: that of the machine, or the system's limit for the program. Unless the case excludes
+ * it, the scene counts as planar. Errors: MEMORY, with the estimate. */
 hawser_status cost_check(const SceneDef *def, hawser_error *err);
 
 #endif

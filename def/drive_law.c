@@ -19,7 +19,7 @@ Winding reel_winding(const SceneDef *def)
                      .inertia = def->reel.inertia};
 }
 
-/* A proportional brake gives its torque at the cable speed that goes with it, on the full drum. */
+/* Builds the brake. A proportional brake gives its torque at its reference cable speed with a full drum. */
 ReelBrake reel_brake_of(const SceneDef *def)
 {
     const ReelDef *const d = &def->reel;
@@ -35,7 +35,7 @@ ReelBrake reel_brake_of(const SceneDef *def)
     return b;
 }
 
-/* 1 at speed, 0 at rest, odd (F3). */
+/* Speed factor: 1 in motion, 0 at rest, odd (F3). */
 static double moving(const ReelBrake *b, double v, double *slope)
 {
     double curve;

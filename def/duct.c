@@ -5,12 +5,11 @@
 
 #include "core/error.h"
 
-/* The least weight factor of cables that are not all alike: what is taken for arrangements that no formula describes
- * (BU7). */
+/* Least weight factor of cables that are not all alike: assumed for arrangements without a formula (BU7). */
 static const double UNEQUAL = 1.4;
 
-/* (T19): x = d / (D - d), the sine of half the angle between two touching cables on the duct's wall, seen
- * from its centre for the cradle, and of the whole angle from the vertical for a pair. */
+/* (T19): x = d / (D - d), seen from the duct's centre: for the cradle the sine of half the angle between two touching
+ * cables on the duct's wall, for a pair that of the whole angle from the vertical. */
 static double wall_sine(double D, double d) { return d / (D - d); }
 
 double duct_circle(int cables)
@@ -25,7 +24,7 @@ int duct_layout_cables(DuctLayout layout)
     return cables[layout];
 }
 
-/* (BU6): the diameter that as many cables as there are thick ones would have, with the cross-section of all. */
+/* (BU6): diameter of as many equal cables as there are thick ones, with the total cross-section. */
 static double effective_diameter(const DuctDef *def)
 {
     return sqrt(def->cable_diameter * def->cable_diameter + def->thinner_square / def->cables);
@@ -53,7 +52,7 @@ static hawser_status check_def(const DuctDef *def, hawser_error *err)
                      least);
 }
 
-/* Twisted ones are held together: three are a triangle, however wide the duct. */
+/* Chooses the layout. Twisted cables hold together: three are a triangle, however wide the duct. */
 static DuctLayout layout_of(const DuctDef *def)
 {
     if (def->layout != DUCT_AUTO) return def->layout;
@@ -62,9 +61,9 @@ static DuctLayout layout_of(const DuctDef *def)
     return def->cables == 1 ? DUCT_SINGLE : def->cables == 2 ? DUCT_PAIR : DUCT_DIAMOND;
 }
 
-/* A layout belongs to its number of cables, and the lower cables of a triangle must be pressed together, not apart:
- * while tan(asin x) >= 1 / (3 sqrt 3). Four cables are the diamond of IEEE 1185 in a wide duct too, where they spread
- * toward a row that has no formula in the codes and presses up to 2 % more. (T22) */
+/* Checks a layout: it belongs to its number of cables, and the lower cables of a triangle must be pressed together, not
+ * apart: while tan(asin x) >= 1 / (3 sqrt 3). Four cables use the diamond of IEEE 1185 in a wide duct too, where they
+ * spread toward a row, which has no formula in the codes and presses up to 2 % more. (T22) */
 static hawser_status check_layout(const DuctDef *def, DuctLayout layout, double x, hawser_error *err)
 {
     if (duct_layout_cables(layout) != def->cables) {
@@ -106,7 +105,7 @@ static void layout_factors(DuctLayout layout, double x, DuctLoad *out)
 static double layout_clearance(DuctLayout layout, double D, double d, double x)
 {
     const double r = (D - d) / 2, cosine = sqrt(fmax(0, 1 - x * x)), double_cosine = 1 - 2 * x * x;
-    double top = -r; /* centre of the uppermost cable */
+    double top = -r; /* height of the uppermost cable's centre */
     double across = 0;
     if (layout == DUCT_PAIR) {
         top = -r * cosine;
@@ -120,10 +119,10 @@ static double layout_clearance(DuctLayout layout, double D, double d, double x)
         top = r - 2 * r * double_cosine;
     }
     const double clear = sqrt(fmax(0, r * r - across * across)) - top;
-    return clear > 1e-12 * r ? clear : 0; /* cables that touch the wall above their middle */
+    return clear > 1e-12 * r ? clear : 0; /* clearance of zero for cables in contact above their middle */
 }
 
-/* (BU8): how far below the duct's centre the middle of the cables lies, and so how far it can move from there. */
+/* (BU8): depth of the cables' middle below the duct's centre, which is the distance that it can move. */
 static double layout_room(DuctLayout layout, double D, double d, double x)
 {
     const double r = (D - d) / 2, cosine = sqrt(fmax(0, 1 - x * x)), double_cosine = 1 - 2 * x * x;
@@ -144,11 +143,11 @@ static double layout_room(DuctLayout layout, double D, double d, double x)
     return r;
 }
 
-/* Bends of ducts are oval by 5 % as a rule (makers' tables). */
+/* Ducts are usually oval by 5 % in bends (makers' tables). */
 static const double OVAL = 1.05;
 
-/* Southwire's bands of 1.05 D/d, as tabulated by Cableizer; the critical ones are those in which three cables
- * in a row just bridge the duct. */
+/* Southwire's bands of 1.05 D/d, as tabulated by Cableizer; the critical ones are those in which three cables in a row
+ * just bridge the duct. */
 static JamRisk jam_risk(const DuctDef *def, double ratio)
 {
     static const double edge[] = {2.4, 2.5, 2.6, 2.9, 3.0, 3.2};
@@ -161,15 +160,15 @@ static JamRisk jam_risk(const DuctDef *def, double ratio)
     return risk[i];
 }
 
-/* ------------------------------------------------------------------------------------ beside cables that lie there */
+/* ------------------------------------------------------------------------------------ beside cables in the duct */
 
 double duct_lying_angle(const DuctLying *lying, double D, int i)
 {
     return (2 * i - (lying->cables - 1)) * asin(fmin(1, wall_sine(D, lying->diameter)));
 }
 
-/* (T33): the forces of the duct's wall, or of one lying cable, and of another one that hold a pulled cable at `at` (m
- * from the centre) against a weight of 1. 0: it does not rest there. */
+/* (T33): forces of the duct's wall, or of one lying cable, and of another one that hold a pulled cable at `at` (m from
+ * the centre) against a weight of 1. Returns 0 if it does not rest there. */
 static int nip_forces(const double at[2], const double from[2][2], double force[2])
 {
     double n[2][2];
@@ -184,7 +183,8 @@ static int nip_forces(const double at[2], const double from[2][2], double force[
     return fabs(det) > 1e-12 && force[0] >= 0 && force[1] >= 0;
 }
 
-/* Takes a nip in if it drags more than those before: friction is that of each of the two over the wall's. */
+/* Takes in a resting place if its drag exceeds the earlier ones: friction is that of each of the two contacts over the
+ * wall's. */
 static void nip_take(const double at[2], const double from[2][2], const double friction[2], DuctLoad *out)
 {
     double force[2];
@@ -197,8 +197,8 @@ static void nip_take(const double at[2], const double from[2][2], const double f
     out->at[1] = at[1];
 }
 
-/* Of all nips in which the pulled cable may rest the one that drags most: between the wall and the outermost lying
- * cable, and on two neighbours. */
+/* Finds the resting place of the pulled cable with the largest drag: between the wall and the outermost lying cable, or
+ * on two neighbours. */
 static void beside_load(const DuctDef *def, DuctLoad *out)
 {
     const double R = def->duct_diameter / 2, a = def->lying.diameter / 2, b = def->cable_diameter / 2,
@@ -207,7 +207,7 @@ static void beside_load(const DuctDef *def, DuctLoad *out)
     const double turn = last + acos(fmax(-1, fmin(1, (ra * ra + rb * rb - (a + b) * (a + b)) / (2 * ra * rb))));
     const double wall[2] = {rb * sin(turn), -rb * cos(turn)};
     const double outer[2][2] = {{2 * wall[0], 2 * wall[1]},
-                                {ra * sin(last), -ra * cos(last)}}; /* the wall pushes inward */
+                                {ra * sin(last), -ra * cos(last)}}; /* the wall's force points inward */
     out->weight_factor = out->sidewall_factor = 0;
     if (turn < 3.14159265358979323846) nip_take(wall, outer, (const double[]){1, mu}, out);
     for (int i = 0; i + 1 < def->lying.cables; ++i) {
@@ -225,7 +225,7 @@ static hawser_status check_lying(const DuctDef *def, hawser_error *err)
     const double D = def->duct_diameter, side = wall_sine(D, lying->diameter),
                  need = lying->diameter + def->cable_diameter;
     if (def->cables > 1 || def->thinner > 0)
-        return error_set(err, HAWSER_ERR_INPUT, "beside cables that lie there one is pulled, not %d",
+        return error_set(err, HAWSER_ERR_INPUT, "beside cables that lie in the duct only one can be pulled, not %d",
                          def->cables + def->thinner);
     if (!(D > need))
         return error_set(
@@ -238,8 +238,8 @@ static hawser_status check_lying(const DuctDef *def, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The factors are those of the thickest, which bear most; clearance and room those of as many that fill as much as all
- * do, and of twisted ones those of the circle round them. */
+/* Computes the load. The factors are those of the thickest cables, which bear most; clearance and room those of equal
+ * cables with the same total cross-section, for twisted ones of the circle round them. */
 hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err)
 {
     hawser_status status = check_def(def, err);

@@ -1,12 +1,12 @@
-/* Every limit once, by rows that whoever includes this file reads. From them come the public enumeration (made by
+/* Every limit once, as rows for the files that include this one. They yield the public enumeration (made by
  * tests/house/check_kinds.py --update from the comments here), names and units (def/limits.c), the case's keys
- * (io/case/case_read.c), the bounds that are one number (def/limits.c) and what would mend them
- * (io/api/api_answer.c). No include guard: define the rows that are wanted, then include it. docs/reference/limits.md.
+ * (io/case/case_read.c), the bounds that are one number (def/limits.c) and the remedies (io/api/api_answer.c). No
+ * include guard: define the row macros needed, then include it. docs/reference/limits.md.
  *
- *     LIMIT(KIND, name, unit, traits)            rows stay in their order; new ones come behind
+ *     LIMIT(KIND, name, unit, traits)            rows keep their order; new ones are appended
  *     LIMIT_KEY(KIND, key, dimension, ...)       the case's own bound, section `limits`; default and range as a CaseKey
- *     LIMIT_RULE(KIND, rule, code, a, b)         what codes allow where the case has none (def/limits.h)
- *     LIMIT_REMEDY(KIND, bound, code, key, text) what would make it hold; text NULL: that of an earlier row
+ *     LIMIT_RULE(KIND, rule, code, a, b)         value of the codes where the case has none (def/limits.h)
+ *     LIMIT_REMEDY(KIND, bound, code, key, text) change that keeps the limit; text NULL: that of an earlier row
  */
 #ifndef LIMIT
 #define LIMIT(...)
@@ -21,7 +21,7 @@
 #define LIMIT_REMEDY(...)
 #endif
 
-/* N, largest tension of the cable: what conductor or sheath bear */
+/* N, largest tension of the cable, borne by conductor or sheath */
 LIMIT(PULL, "pull", "N", LIMIT_ESSENTIAL | LIMIT_PULLS | LIMIT_TENSION | LIMIT_MENDED)
 LIMIT_KEY(PULL, "pull", DIM_FORCE, .otherwise = "by eq. 11", ABOVE(0, STRONG))
 LIMIT_REMEDY(PULL, BOUND_OVER, "less_pull", "", "{least} less pull: conveyors, a pit, or a lubricant")
@@ -30,7 +30,7 @@ LIMIT_REMEDY(PULL, BOUND_OVER, "less_pull", "", "{least} less pull: conveyors, a
 LIMIT(RESTART, "restart", "N", LIMIT_PULLS | LIMIT_MENDED)
 LIMIT_REMEDY(RESTART, BOUND_OVER, "less_pull", "", NULL)
 
-/* N, at the eye or net: what that bears */
+/* N, at the eye or net, borne by that device */
 LIMIT(ATTACHMENT, "attachment", "N", LIMIT_PULLS | LIMIT_TENSION | LIMIT_MENDED)
 LIMIT_REMEDY(ATTACHMENT, BOUND_OVER, "less_pull", "", NULL)
 
@@ -49,7 +49,7 @@ LIMIT_KEY(BEND_RADIUS, "bend_radius", DIM_LENGTH, .otherwise = "`bend_factor` ti
           ABOVE(0, LONG))
 LIMIT_REMEDY(BEND_RADIUS, BOUND_LEAST, "bend_radius", "", "a radius of at least {least} there")
 
-/* 1, smallest diameter that the rope is bent round over its own */
+/* 1, smallest bending diameter of the rope over its own */
 LIMIT(ROPE_BEND, "rope_bend", "1", LIMIT_AT_LEAST)
 LIMIT_KEY(ROPE_BEND, "rope_bend", DIM_NONE, .otherwise = "by `rope_kind`", ABOVE(0, 1000))
 LIMIT_RULE(ROPE_BEND, RULE_ROPE_BEND, CODE_USUAL, def->rope_kind, 0)

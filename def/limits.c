@@ -1,5 +1,5 @@
-/* The table of codes: every value once, with its clause. A value of which no public source was found is not here, or is
- * marked; docs/reference/limits.md has the sources in full. */
+/* The table of codes: every value once, with its clause. Values without a public source are left out or marked;
+ * docs/reference/limits.md has the sources in full. */
 #include "def/limits.h"
 
 #include <math.h>
@@ -26,10 +26,10 @@ typedef struct RuleRow {
     Known known;
 } RuleRow;
 
-/* (LI8a): the fill of a duct 1.5 times as wide as one cable, or as the circle round two, three, four. */
+/* (LI8a): fill of a duct 1.5 times as wide as one cable, or as the circle round two, three, four. */
 #define FILL_OF_1_5(n, circle) ((n) / (2.25 * (circle) * (circle)))
 
-/* Single rules come before those for ANY. */
+/* Specific rules come before those for ANY. */
 static const RuleRow rows[] = {
     {RULE_CONDUCTOR, CODE_PAPER, METAL_COPPER, ANY, 70, &MPA, "paper, table 4: copper 70 N/mm2", KNOWN_READ},
     {RULE_CONDUCTOR, CODE_PAPER, METAL_ALUMINIUM, ANY, 40, &MPA, "paper, table 4: aluminium 40 N/mm2", KNOWN_READ},
@@ -180,30 +180,30 @@ int code_row(size_t i, CodeRule *out)
     return 1;
 }
 
-/* What is allowed: the case's own values, and the rules of codes and practices where it has none. */
+/* Allowed values: the case's own, and the rules of codes and practices where it has none. */
 
 enum { SOURCE_SIZE = sizeof((hawser_limit *)0)->source };
 
-/* A key of the case in place of the rule; the rule's source or the key's. */
+/* Returns the key's value if the case gives it, with the key as source; else the rule. */
 static Allowed given_or(double given, const char *key, Allowed rule)
 {
     return isnan(given) ? rule : (Allowed){given, key, -1, KNOWN_READ};
 }
 
-/* The case's keys for the bounds of its own. */
+/* The case's keys for its own bounds. */
 static const char *const keys[LIMIT_KINDS] = {
 #define LIMIT_KEY(kind, key, ...) [HAWSER_LIMIT_##kind] = "limits." key,
 #include "def/limit_kinds.h"
 };
 
-/* A bound that only the case can give. */
+/* Returns a bound that only the case can give. */
 static double given(const LimitsDef *def, hawser_limit_kind kind, char *source)
 {
     snprintf(source, SOURCE_SIZE, "%s%s", isnan(def->own[kind]) ? "needs " : "", keys[kind]);
     return def->own[kind];
 }
 
-/* A rule of one number that the case may replace. */
+/* Returns a bound by a rule of one number that the case may replace. */
 static double by_rule(const LimitsDef *def, hawser_limit_kind kind, Allowed rule, char *source)
 {
     const Allowed a = given_or(def->own[kind], keys[kind], rule);
@@ -211,15 +211,15 @@ static double by_rule(const LimitsDef *def, hawser_limit_kind kind, Allowed rule
     return a.value;
 }
 
-/* What is pulled at: its stress, Pa, its cross-section, m2, and the key that gives it. */
+/* The part that bears the pull: its stress, Pa, its cross-section, m2, and the key that gives it. */
 typedef struct Grasp {
     Allowed stress;
     double area;
     const char *key;
 } Grasp;
 
-/* An eye pulls at the conductors. So does a net of a code that knows no stress of this sheath but says what conductors
- * bear under one. */
+/* Finds the part that bears the pull. An eye pulls at the conductors. So does a net if the code has no stress for this
+ * sheath but one for conductors under a net. */
 static Grasp grasp_of(const LimitsDef *def, int cables)
 {
     const double area = def->area * def->cores;
@@ -232,7 +232,7 @@ static Grasp grasp_of(const LimitsDef *def, int cables)
     return (Grasp){by_sheath ? sheath : under, by_sheath ? def->sheath_area : area, by_sheath ? "sheath" : "conductor"};
 }
 
-/* Share of their sum that a rope may pull at n cables. */
+/* Share of the sum of n cables' strengths that a rope may pull with. */
 static Allowed together(const LimitsDef *def, int cables)
 {
     const int conductors = cables * def->cores;
@@ -245,7 +245,7 @@ static double pull_allowed(const LimitsDef *def, int cables, char *source)
     Grasp at = grasp_of(def, cables);
     const Allowed share = together(def, cables);
     at.stress = given_or(def->stress, "limits.stress", at.stress);
-    if (!isnan(def->own[HAWSER_LIMIT_PULL])) { /* of one cable, with what the code says of its own conductors */
+    if (!isnan(def->own[HAWSER_LIMIT_PULL])) { /* per cable, including the code's rule for its own conductors */
         const double of_several = share.value / together(def, 1).value;
         snprintf(source, SOURCE_SIZE, "limits.pull%s%s", of_several < 1 ? "; " : "",
                  of_several < 1 ? share.source : "");
@@ -266,7 +266,7 @@ static double pull_allowed(const LimitsDef *def, int cables, char *source)
     return share.value * def->K * at.stress.value * area; /* (LI3), (LI9) */
 }
 
-/* What all eyes or nets bear together. */
+/* Strength of all eyes or nets together, N. */
 static double devices_bear(const LimitsDef *def, char *source)
 {
     static const char *const of[] = {"", " of the pulling head", " of the compression eye",
@@ -283,16 +283,17 @@ static double devices_bear(const LimitsDef *def, char *source)
     return def->grips * each; /* (LI10) */
 }
 
-/* (LI10), (LI10b): of eyes or nets and swivel what is not known is not needed where `pull`, N, breaks the other. */
+/* Allowed force at the attachment, N, (LI10), (LI10b): the unknown strength of eyes or nets does not matter if `pull`
+ * already exceeds that of the swivel. */
 static double attachment_allowed(const LimitsDef *def, double pull, char *source)
 {
     const double all = devices_bear(def, source), swivel = def->swivel_rating;
     if (isnan(swivel) || all <= swivel || (isnan(all) && !(pull > swivel))) return all;
-    snprintf(source, SOURCE_SIZE, "%s", "limits.swivel_rating"); /* (LI10b): what is broken by it alone is known */
+    snprintf(source, SOURCE_SIZE, "%s", "limits.swivel_rating"); /* (LI10b): a limit broken by it alone is judged */
     return swivel;
 }
 
-/* Of whom sidewall pressure and bend radius are. */
+/* Code whose sidewall pressure and bend radius count. */
 static int practice_code(const LimitsDef *def)
 {
     static const int code[] = {0, CODE_GB50217, CODE_FUJIKURA, CODE_AEIC, CODE_ROLLERS};
@@ -311,7 +312,7 @@ static double radius_allowed(const LimitsDef *def, double d, char *source)
     return k.value * d;
 }
 
-/* What the rope may be pulled with, N. */
+/* Allowed tension of the rope, N. */
 static double rope_allowed(const LimitsDef *def, char *source)
 {
     snprintf(source, SOURCE_SIZE, "needs limits.rope_strength");
@@ -321,7 +322,7 @@ static double rope_allowed(const LimitsDef *def, char *source)
     return def->rope_strength / def->rope_factor;
 }
 
-/* The smallest of those that are known: cable, eye, rope and winch, N at the winch (LI11); NAN if none is. */
+/* The smallest of the known values of cable, eye, rope and winch, N at the winch (LI11); NAN if none is known. */
 static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
 {
     char source[SOURCE_SIZE];
@@ -329,7 +330,7 @@ static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
                                 {attachment_allowed(def, INFINITY, source) + beyond, "what the eye or net bears"},
                                 {rope_allowed(def, source), "what the rope may be pulled with"},
                                 {def->own[HAWSER_LIMIT_WINCH], "what the winch can pull"}};
-    TripSetting least = {NAN, "nothing is known that gives first"};
+    TripSetting least = {NAN, "no allowed value is known"};
     for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
         if (!isnan(each[i].force) && !(each[i].force >= least.force)) least = each[i];
     }
@@ -343,7 +344,8 @@ TripSetting limits_trip(const LimitsDef *def, int cables, double force, double b
     return isnan(usual.force) || most.force < usual.force ? most : usual;
 }
 
-/* Above all that the winch needs and below all that something bears: the nearer end of that band. */
+/* Allowed trip: above everything that the winch needs and below everything that is allowed; returns the nearer end of
+ * that band. */
 static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, char *source)
 {
     const double most = winch_most(def, cables, f->beyond).force,
@@ -371,7 +373,7 @@ static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, c
     return f->value < f->steady ? f->steady : most;
 }
 
-/* What the roller that was found may bear, N: its rating, at steady speed less a reserve. */
+/* Allowed load of the roller found, N: its rating, at steady speed less a reserve. */
 static double roller_allowed(const LimitsDef *def, const Finding *f, int steady, char *source)
 {
     snprintf(source, SOURCE_SIZE, "%s", "no roller has a rating: needs rollers.along.N.rating");
@@ -392,7 +394,8 @@ JamBand limits_jam_band(const LimitsDef *def, int triangle)
     return band;
 }
 
-/* Nearer to the upper end of the band in which cables jam: then a wider duct is needed, else a narrower one. */
+/* Checks whether the ratio is in the upper half of the band in which cables jam: then a wider duct is needed, else a
+ * narrower one. */
 static int jams_above(const LimitsDef *def, const Finding *f)
 {
     const JamBand band = limits_jam_band(def, f->triangle);
@@ -409,7 +412,7 @@ static double jam_allowed(const LimitsDef *def, const Finding *f, char *source)
     return jams_above(def, f) ? band.to : band.from;
 }
 
-/* What of a pull a bound depends on. */
+/* Properties of a pull that determine a bound. */
 typedef struct Asked {
     const LimitsDef *def;
     hawser_limit_kind kind;
@@ -464,7 +467,7 @@ static double weight_of(const Asked *q, char *source)
     return own;
 }
 
-/* Bounds that take more than the case's own number and a rule of one. */
+/* Bounds that need more than the case's own number or a single rule. */
 static double (*const bound_of[LIMIT_KINDS])(const Asked *q, char *source) = {
     [HAWSER_LIMIT_PULL] = pull_of,
     [HAWSER_LIMIT_RESTART] = pull_of,
@@ -541,28 +544,29 @@ hawser_limit_kind limits_kind(const char *name)
     return (hawser_limit_kind)k;
 }
 
-/* Of nothing everything is missing, and so of next to nothing: a thousand times as much as there is, at most. */
+/* Margin of a lower bound. For a value near zero it would grow without bound, so it is limited to a thousandfold
+ * deficit. */
 static double margin_at_least(double value, double limit)
 {
     static const double MOST = 1000;
     return value * (1 + MOST) > limit ? 1 - limit / value : limit > 0 ? -MOST : 1;
 }
 
-static const double ROUNDING = 1e-12; /* of a margin: exactly what is allowed holds */
+static const double ROUNDING = 1e-12; /* of a margin: a value equal to the limit holds */
 
-/* A limit that holds at speed, and that a start from rest may break. */
+/* Marks a limit that holds in motion, but may be broken by a start from rest. */
 static void leave_open(hawser_limit *out, double start)
 {
     out->judged = out->ok = 0;
     out->at_speed = 1;
     out->margin = NAN;
     snprintf(out->source, sizeof out->source,
-             "holds at speed, but a start from rest may need up to %.3g times as much, which positions do not have: "
-             "'run.analysis: dynamics' has it",
+             "holds at speed, but a start from rest may need up to %.3g times as much, which positions do not include: "
+             "use 'run.analysis: dynamics'",
              start);
 }
 
-/* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
+/* Judges one limit (LI4). An unknown value or bound is not judged. */
 static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
 {
@@ -594,7 +598,7 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
     if (out->ok && out->value * f->start > out->limit) leave_open(out, f->start); /* (LI16) */
 }
 
-/* How far a load's jam ratio is from the band in which cables jam, 1; below 0 within it. */
+/* Distance of a jam ratio from the band in which cables jam, 1; below 0 inside it. */
 static double jam_distance(const LimitsDef *def, double ratio, int triangle)
 {
     const JamBand band = limits_jam_band(def, triangle);
@@ -607,7 +611,7 @@ int limits_jams(const LimitsDef *def, const DuctLoad *load)
     return three && jam_distance(def, load->jam_ratio, load->layout == DUCT_TRIANGLE) < 0;
 }
 
-/* A duct that is worse takes the place of the one before. */
+/* Replaces the finding if this duct is worse. */
 static void duct_worse(int worse, double value, int cables, int triangle, const char *name, Finding *f)
 {
     if (!f->absent && !worse) return;
@@ -641,7 +645,7 @@ double limits_reach(const hawser_limit *l)
     return least ? l->limit / (l->value - l->error) : (l->value + l->error) / l->limit;
 }
 
-/* Whether a broken limit might hold, within the error bar of its figure. */
+/* Checks whether a broken limit may hold within the error bound of its figure. */
 static int might_hold(const hawser_limit *l)
 {
     return l->error > 0 && l->limit > 0 && fabs(l->value - l->limit) <= l->error;
@@ -674,9 +678,9 @@ int limits_judge(const LimitsDef *def, double diameter, int cables, const Findin
     return n;
 }
 
-/* The verdict in one line: public, for every front end. */
+/* The verdict as one line, for every user interface. */
 
-/* Text that grows, cut at its end. */
+/* Text that is appended to, truncated at its end. */
 typedef struct Line {
     char *text;
     size_t size;
@@ -701,7 +705,7 @@ static const struct {
                          [HAWSER_NOT_TRUSTED] = {"NOT TRUSTED", "not_trusted"},
                          [HAWSER_SAFE_ONLY_IF] = {"SAFE ONLY IF", "safe_if"}};
 
-enum { NONE_JUDGED = -1, NONE_TRUSTED = -2, ONLY_IF = -3 }; /* what verdicts return beside a count */
+enum { NONE_JUDGED = -1, NONE_TRUSTED = -2, ONLY_IF = -3 }; /* values that verdicts return besides a count */
 
 hawser_word hawser_verdict_word(int found)
 {
@@ -716,7 +720,7 @@ const char *hawser_word_text(hawser_word word) { return words[word].text; }
 
 const char *hawser_word_code(hawser_word word) { return words[word].code; }
 
-/* Of words that begin alike the longest. */
+/* Returns the longest matching word, since some begin alike. */
 hawser_word hawser_word_of(const char *verdict)
 {
     int found = HAWSER_WORDS;
@@ -730,9 +734,9 @@ hawser_word hawser_word_of(const char *verdict)
     return (hawser_word)found;
 }
 
-static const double TIMES = 10; /* of what is allowed, from which on a share in % says nothing */
+static const double TIMES = 10; /* factor from which on an excess is not written in % */
 
-/* "sidewall by 22 % at bend"; of a run-away what is missing. */
+/* Writes "sidewall by 22 % at bend"; for a run-away what is missing. */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
     if (l->kind == HAWSER_LIMIT_RUN_AWAY) {
@@ -748,7 +752,7 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
     add(line, "%s%s", *l->where ? " at " : "", l->where);
 }
 
-/* "; 2 not judged: rope, winch". */
+/* Writes "; 2 not judged: rope, winch". */
 static void add_not_judged(Line *line, int n, const hawser_limit *limit, int unknown)
 {
     add(line, "; %d not judged", unknown);
@@ -757,11 +761,11 @@ static void add_not_judged(Line *line, int n, const hawser_limit *limit, int unk
     }
 }
 
-/* What the limits come to. */
+/* Summary of the limits. */
 typedef struct Tally {
     int judged, broken;
     const hawser_limit *least;   /* the one with the smallest margin; NULL: none is judged */
-    const hawser_limit *missing; /* the first that a pull cannot be called safe without, and that is not judged */
+    const hawser_limit *missing; /* the first that is not judged but required for SAFE */
 } Tally;
 
 static Tally tally_of(int n, const hawser_limit *limit)
@@ -778,10 +782,10 @@ static Tally tally_of(int n, const hawser_limit *limit)
     return t;
 }
 
-/* The bounds of what is assumed, and how a verdict says them. */
+/* Bounds of assumed values, and their texts in a verdict. */
 static const struct BoundRow {
     const char *text, *unit;
-    size_t offset; /* in a limit */
+    size_t offset; /* in a hawser_limit */
     int least;
 } bounds[] = {{"friction <=", "", offsetof(hawser_limit, friction_most), 0},
               {"friction >=", "", offsetof(hawser_limit, friction_least), 1},
@@ -789,20 +793,21 @@ static const struct BoundRow {
               {"back tension <=", " N", offsetof(hawser_limit, back_most), 0},
               {"radius at changes of slope >=", " m", offsetof(hawser_limit, slope_radius_least), 1}};
 
-/* What the limit says of a bound; NAN: nothing. */
+/* Bound of an assumed value by a limit; NAN: none. */
 static double bound_across(const hawser_limit *l, const struct BoundRow *row)
 {
     return l->judged && l->assumed ? *(const double *)(const void *)((const char *)l + row->offset) : NAN;
 }
 
-/* In three digits, rounded to the safe side. */
+/* Rounds to three digits, to the safe side. */
 static double rounded(double value, int least)
 {
     const double step = value > 0 ? pow(10, floor(log10(value)) - 2) : 1;
     return step * (least ? ceil(value / step - 1e-9) : floor(value / step + 1e-9));
 }
 
-/* "friction <= 0.27 (restart) and back tension <= 600 N (pull)": of each the strictest. Returns how many there are. */
+/* Writes "friction <= 0.27 (restart) and back tension <= 600 N (pull)", the strictest bound of each. Returns the number
+ * of bounds. */
 static int add_bounds(Line *line, int n, const hawser_limit *limit)
 {
     int said = 0;
@@ -869,7 +874,7 @@ int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t s
     return limits_say(n, limit, 1, text, size);
 }
 
-/* The first that fails stands for all: the others are counted. */
+/* Writes the verdict; of failed conditions it gives the first and the number of others. */
 int verdict_say(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, int open,
                 char *text, size_t size)
 {
@@ -888,7 +893,7 @@ int verdict_say(int n_conditions, const hawser_condition *condition, int n, cons
     add(&line, "%s: %s", words[HAWSER_NOT_TRUSTED].text, first->remedy);
     if (more) add(&line, "; and %d more reason%s", more, more > 1 ? "s" : "");
     if (broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
-    text_make_utf8(text); /* a name in a remedy may have been cut */
+    text_make_utf8(text); /* a name in a remedy may have been truncated */
     return NONE_TRUSTED;
 }
 

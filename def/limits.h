@@ -1,5 +1,5 @@
-/* What codes, practices and makers allow: one table of rules, each with its clause and how well it is known. The
- * limits' sources, docs/reference/limits.md and the page are made from it. */
+/* Allowed values of codes, practices and makers: one table of rules, each with its clause and reliability. The limits'
+ * sources, docs/reference/limits.md and the page are made from it. */
 #ifndef HAWSER_DEF_LIMITS_H
 #define HAWSER_DEF_LIMITS_H
 
@@ -8,9 +8,9 @@
 #include "def/duct.h"
 #include "hawser/hawser.h"
 
-/* Whose rules count: the paper's table 4; CIGRE TB 889; American practice (ICEA, AEIC and IEEE 1185 are two names of
- * one set); cables to IEC and VDE as European makers quote them; TES-P-104.05; GB 50217. Behind these what only a
- * practice says (LimitPractice), and what is usual where nobody does. */
+/* Source of the rules: the paper's table 4; CIGRE TB 889; American practice (ICEA, AEIC and IEEE 1185 are two names of
+ * one set); cables to IEC and VDE as European makers quote them; TES-P-104.05; GB 50217. Then the sources used only by
+ * a practice (LimitPractice), and usual values for the rest. */
 typedef enum LimitCode {
     CODE_PAPER,
     CODE_TB889,
@@ -28,8 +28,8 @@ typedef enum LimitCode {
 
 typedef enum Attachment { ATTACH_EYE, ATTACH_NET } Attachment;
 
-/* What practices tell cables apart by; UNKNOWN takes the strictest. SEPARATE: three cores, each with a sheath of its
- * own. */
+/* Cable types that practices distinguish; UNKNOWN takes the strictest. SEPARATE: three cores, each with its own sheath.
+ */
 typedef enum CableType {
     TYPE_UNKNOWN,
     TYPE_CONTROL,
@@ -45,27 +45,26 @@ typedef enum SheathKind { SHEATH_PE, SHEATH_XLPE, SHEATH_LEAD, SHEATH_COPPER, SH
 
 typedef enum RopeKind { ROPE_STEEL, ROPE_FIBRE } RopeKind;
 
-/* What a rule says; a and b of code_rule in brackets, -1 where a rule holds for all. */
+/* Quantity of a rule; a and b of code_rule in brackets, -1 for a rule that holds for all. */
 typedef enum Rule {
     RULE_CONDUCTOR,  /* Pa, of a conductor under an eye (ConductorMetal, 1 of several cores or cables together) */
     RULE_SHEATH,     /* Pa, of a sheath under a net (SheathKind) */
-    RULE_UNDER_NET,  /* Pa, of the conductors where a net may not pull more than they bear (ConductorMetal) */
-    RULE_ATTACHMENT, /* N, of one eye or net, whatever the cable bears (Attachment, SheathKind) */
-    RULE_TOGETHER,   /* 1, share of n cables' sum that a rope may pull at (conductors, cables; 4 and more are 4) */
+    RULE_UNDER_NET,  /* Pa, of the conductors, if a net is limited by their strength (ConductorMetal) */
+    RULE_ATTACHMENT, /* N, of one eye or net, independent of the cable (Attachment, SheathKind) */
+    RULE_TOGETHER,   /* 1, share of n cables' sum that a rope may pull with (conductors, cables; 4 and more are 4) */
     RULE_SIDEWALL,   /* N/m (CableType, 1 of several cores) */
     RULE_BEND,       /* 1, radius over the cable's diameter (CableType) */
-    RULE_OVAL,       /* 1, times D/d is the jam ratio: how much wider than round bends are taken for */
-    RULE_JAM_FROM,   /* 1, three cables may jam from this jam ratio on ... */
-    RULE_JAM_TO,     /* 1, ... to this (1 of a triangle) */
-    RULE_CLEARANCE,  /* m, over the uppermost cable, at least */
-    RULE_FILL,       /* 1, share of a duct that is filled, at most (cables) */
+    RULE_OVAL,       /* 1, factor on D/d for the jam ratio: widening of ducts in bends */
+    RULE_JAM_FROM,   /* 1, least jam ratio at which three cables may jam ... */
+    RULE_JAM_TO,     /* 1, ... and the largest (1 of a triangle) */
+    RULE_CLEARANCE,  /* m, over the uppermost cable, least */
+    RULE_FILL,       /* 1, filled share of a duct, largest (cables) */
     RULE_ROPE_BEND,  /* 1 (RopeKind) */
     RULE_SPEED,      /* m/s */
     RULES
 } Rule;
 
-/* How well a rule is known: read in a public text of its source; quoted there by somebody else; recalled, and found in
- * no public text. */
+/* Reliability of a rule: read in a public text of its source; quoted elsewhere; known, but found in no public text. */
 typedef enum Known { KNOWN_READ, KNOWN_QUOTED, KNOWN_NOT_VERIFIED } Known;
 
 /* A row of the table, in SI. */
@@ -73,30 +72,30 @@ typedef struct CodeRule {
     Rule rule;
     int code, a, b; /* -1: any */
     double value;
-    const char *source; /* clause and value, as the source has it */
+    const char *source; /* clause and value as in the source */
     Known known;
 } CodeRule;
 
-/* What is allowed, and by whom. */
+/* An allowed value and its source. */
 typedef struct Allowed {
-    double value; /* NAN: nobody says so */
+    double value; /* NAN: no source gives one */
     const char *source;
-    int without; /* the code that has none where the value is a usual one; -1: it is the code's, or a key's */
+    int without; /* the code without a rule, if the value is a usual one; -1: the value is the code's or a key's */
     Known known;
 } Allowed;
 
-/* The first rule that fits; of a code without one what is usual. */
+/* Finds the first rule that fits; for a code without one the usual value. */
 Allowed code_rule(Rule rule, int code, int a, int b);
-/* The source in words: "tb889 has none; usual: ..." where the code says nothing, "(not verified)" behind what is
- * recalled. */
+/* Writes the source: "tb889 has none; usual: ..." for a code without a rule, "(not verified)" for rules found in no
+ * public text. */
 void allowed_say(Allowed allowed, char *text, size_t size);
-/* "tb889". */
+/* Returns the code's name, e.g. "tb889". */
 const char *code_name(int code);
-/* Row i in SI; 0: there is none. For those who print the table. */
+/* Copies row i in SI, for printing the table; returns 0 if there is none. */
 int code_row(size_t i, CodeRule *out);
-/* What a cable, its rope and its rollers may bear, and whether a pull keeps to it. docs/model.md, "Limits". */
+/* Strength of a cable, its rope and its rollers, and whether a pull respects it. docs/model.md, "Limits". */
 
-/* Whose sidewall pressure and bend radius count. AUTO: the code's. CHINESE: GB 50217. */
+/* Source of sidewall pressure and bend radius. AUTO: the code's. CHINESE: GB 50217. */
 typedef enum LimitPractice {
     PRACTICE_AUTO,
     PRACTICE_CHINESE,
@@ -105,8 +104,8 @@ typedef enum LimitPractice {
     PRACTICE_ROLLERS
 } LimitPractice;
 
-/* What joins the rope to the cable, in words: the first three pull at the conductors, as an ATTACH_EYE, the others at
- * the sheath, as an ATTACH_NET. */
+/* Device between rope and cable: the first three pull at the conductors, as an ATTACH_EYE, the others at the sheath, as
+ * an ATTACH_NET. */
 typedef enum AttachmentDevice {
     DEVICE_EYE,
     DEVICE_HEAD,
@@ -123,19 +122,20 @@ enum {
 #include "def/limit_kinds.h"
 };
 
-/* What is true of some kinds. */
+/* Traits of kinds. */
 enum {
-    LIMIT_ESSENTIAL = 1, /* a pull is not called safe where this is not judged */
-    LIMIT_AT_LEAST = 2,  /* the bound is the least that is allowed */
-    LIMIT_PULLS = 4,     /* a force at the cable's head or the winch, which more pull adds to */
-    LIMIT_TENSION = 8,   /* a tension, or one over something exact: a run's is as uncertain as the largest pull */
-    LIMIT_STARTS = 16,   /* no tension, but a start from rest makes more of it, too */
-    LIMIT_MENDED = 32,   /* a wider bend, another duct or less friction may make it hold */
-    LIMIT_OF_DUCT = 64,  /* how the cables lie in a duct */
-    LIMIT_OPTIONAL = 128 /* no code has a bound: it is judged where the case gives one */
+    LIMIT_ESSENTIAL = 1, /* a pull is never SAFE if this is not judged */
+    LIMIT_AT_LEAST = 2,  /* the bound is a minimum */
+    LIMIT_PULLS = 4,     /* a force at the cable's head or the winch, which grows with the pull */
+    LIMIT_TENSION = 8,   /* a tension, or a tension over an exact quantity: the relative error of a run's figure is that
+                            of its largest pull */
+    LIMIT_STARTS = 16,   /* no tension, but also increased by a start from rest */
+    LIMIT_MENDED = 32,   /* a wider bend, another duct or less friction may keep it */
+    LIMIT_OF_DUCT = 64,  /* depends on the layout of the cables in a duct */
+    LIMIT_OPTIONAL = 128 /* no code has a bound: it is judged only if the case gives one */
 };
 
-/* The section `limits` of a case. NAN: not given, the code or practice says it. */
+/* The section `limits` of a case. NAN: not given, the code or practice applies. */
 typedef struct LimitsDef {
     int present;
     int code, practice, attachment;    /* a LimitCode, LimitPractice, Attachment */
@@ -149,89 +149,88 @@ typedef struct LimitsDef {
     double attachment_rating;          /* N, of each */
     int device;                        /* an AttachmentDevice */
     double swivel_rating;              /* N, of the swivel between rope and cable */
-    double own[LIMIT_KINDS];           /* the bound that the case gives, in the kind's unit; of `pull` of one cable */
+    double own[LIMIT_KINDS];           /* bound given by the case, in the kind's unit; that of `pull` is per cable */
     double stress;                     /* Pa */
     double bend_factor;                /* of the cable's diameter */
     double roller_factor;              /* rating over load at steady speed */
     double rope_strength, rope_factor; /* N, breaking; strength over pull */
     int rope_kind;                     /* a RopeKind */
     double rope_diameter;              /* m */
-    double sheave;                     /* m, diameter of the smallest sheave or drum that it runs round */
-    double jam_from, jam_to;           /* jam ratio of three cables in a duct: not between these */
+    double sheave;                     /* m, diameter of the smallest sheave or drum in the rope's path */
+    double jam_from, jam_to;           /* forbidden range of the jam ratio of three cables in a duct */
 } LimitsDef;
 
-/* What a calculation or a simulation found. */
+/* A value found by a calculation or a simulation. */
 typedef struct Finding {
-    int absent;    /* it says nothing about this limit, which is then not listed */
-    double value;  /* in the limit's unit; NAN: not known */
-    double error;  /* of value: the error bar of a run's figure; 0: it has none */
-    double start;  /* of value, to so many times of which a start from rest may come that was not followed; 0: it was */
-    double rating; /* N, of the roller found; the critical load; of the run-away the largest tension, which its margin
-                      is measured by */
-    int cables;    /* in the duct found */
-    int triangle;  /* and whether they are a triangle there */
-    double steady; /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
-    double beyond; /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
+    int absent;     /* there is no such value: the limit is not listed */
+    double value;   /* in the limit's unit; NAN: not known */
+    double error;   /* of value: error bound of a run's figure; 0: none */
+    double start;   /* factor on the value for a start from rest that was not simulated; 0: it was */
+    double rating;  /* N, of the roller found; the critical load; for run-away the largest tension, to which its margin
+                     * is relative */
+    int cables;     /* in the duct found */
+    int triangle;   /* and whether they are a triangle there */
+    double steady;  /* N, of a trip: largest force that the winch needs by itself; NAN: the cable runs away */
+    double beyond;  /* N, of a trip: computed excess of the winch force over the tension at the cable's front */
     char where[80]; /* its place */
-    char why[160];  /* why it is not known; of the run-away what is missing or pushes; of buckling what holds */
+    char why[160];  /* why it is unknown; for run-away what is missing or pushes; for buckling what holds the cable */
 } Finding;
 
-/* "pull" of HAWSER_LIMIT_PULL and so on. */
+/* Name of a kind, e.g. "pull" of HAWSER_LIMIT_PULL. */
 const char *limits_name(hawser_limit_kind kind);
-/* The kind of that name; LIMIT_KINDS: none. */
+/* The kind with that name; LIMIT_KINDS: none. */
 hawser_limit_kind limits_kind(const char *name);
-/* "SAFE", or "SAFE ONLY IF friction at rest <= 0.2 (restart)", of limits that all hold. Returns how many conditions it
- * has. */
+/* Writes "SAFE", or "SAFE ONLY IF friction at rest <= 0.2 (restart)", for limits that all hold. Returns the number of
+ * conditions. */
 int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size);
-/* Whether one of these is true of the kind. */
+/* Checks whether the kind has one of these traits. */
 int limits_is(hawser_limit_kind kind, int traits);
-/* The jam ratios at which three cables may jam, in a triangle or not. */
+/* Range of jam ratios at which three cables may jam, in a triangle or not. */
 typedef struct JamBand {
     double from, to;
-    Allowed by; /* the code's rule; `value` NAN where the case gives both ends */
+    Allowed by; /* the code's rule; `value` NAN if the case gives both ends */
 } JamBand;
 
 JamBand limits_jam_band(const LimitsDef *def, int triangle);
-/* Whether the jam ratio of that load is one at which three cables may jam, by the case or its code. */
+/* Checks whether three cables may jam at the jam ratio of that load, by the case or its code. */
 int limits_jams(const LimitsDef *def, const DuctLoad *load);
-/* ------------------------------------------------------------------------------- what is allowed: limits_allowed.c */
+/* ------------------------------------------------------------------------------- allowed values */
 
-/* At which force a winch should stop, and why not at more. */
+/* Force at which a winch should stop, and what bounds it. */
 typedef struct TripSetting {
     double force; /* N; NAN: not known */
     const char *by;
 } TripSetting;
 
-/* What the winch should be set to trip at: alpha times the force that theory gives it, or what cable, eye, rope and
- * winch bear if that is less (LI11). beyond: as in a Finding. */
+/* Recommended trip: alpha times theory's force, or the strength of cable, eye, rope and winch if that is less (LI11).
+ * beyond: as in a Finding. */
 TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond);
-/* The bound of any kind for what was found, of `cables` equal cables of that diameter (m), in its unit, (LI3)-(LI12);
- * NAN with the reason and the key that is missing in `source` if it cannot be told. source: 160 bytes. And whether it
- * is the least that is allowed, not the most. */
+/* Bound of a kind for a finding, for `cables` equal cables of that diameter (m), in its unit, (LI3)-(LI12); NAN if
+ * unknown, with the reason and the missing key in `source` (160 bytes). The second function checks whether the bound is
+ * a minimum. */
 double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                       char *source);
-/* ------------------------------------------------------------------------------------------------ to judge: limits.c
- */
+/* ------------------------------------------------------------------------------------------------ judging */
 
-/* The paper's values where nothing else is said. */
+/* Sets the paper's values as defaults. */
 void limits_defaults(LimitsDef *def);
-/* How a number of cables lies in ducts, against the worst of them: their findings of HAWSER_LIMIT_JAM_RATIO,
- * HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL and HAWSER_LIMIT_WEIGHT_CORRECTION into finding[LIMIT_KINDS]; begin with no
- * duct (name NULL). (LI8) */
+/* Compares the load of a number of cables in a duct with the worst so far: their findings of HAWSER_LIMIT_JAM_RATIO,
+ * HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL and HAWSER_LIMIT_WEIGHT_CORRECTION in finding[LIMIT_KINDS]; a call without
+ * a duct (name NULL) comes first. (LI8) */
 void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
                  Finding finding[LIMIT_KINDS]);
-/* As hawser_verdict; open: with the names of the limits that are not judged. */
+/* Same as hawser_verdict; open: lists the limits that are not judged. */
 int verdict_say(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, int open,
                 char *text, size_t size);
-/* How the source of `trip` begins where more is needed than is allowed. */
-#define LIMITS_NO_TRIP "no trip does"
-/* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
+/* Beginning of the source of `trip` if the required force exceeds the allowed one. */
+#define LIMITS_NO_TRIP "no trip is possible"
+/* Compares the findings with the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns their number; 0 if def is not present.
+ */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
                  hawser_limit *out);
-/* How much of what is allowed a figure uses with its error bar, 1. */
+/* Share of the allowed value that a figure uses, error bound included, 1. */
 double limits_reach(const hawser_limit *l);
-/* The limit that the error bar of its figure reaches farthest beyond; NULL: there is none, or a limit is broken
- * whatever its error. */
+/* The limit that the error bound of its figure exceeds most; NULL: none, or a limit is broken whatever its error. */
 const hawser_limit *limits_undecided(int n, const hawser_limit *limit);
 
 #endif

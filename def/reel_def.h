@@ -1,14 +1,14 @@
-/* What a case says of the reel or the drum behind the route: parts of SceneDef (def/scene_def.h). */
+/* The reel or the drum behind the route: parts of SceneDef (def/scene_def.h). */
 #ifndef HAWSER_DEF_REEL_DEF_H
 #define HAWSER_DEF_REEL_DEF_H
 
 #include "core/profile.h"
 
-/* What stands for the reel, besides a bare tail tension: a weight of cable is turned into one by the case's reader. */
+/* Model of the reel. The case's reader converts a weight of cable into a tail tension. */
 typedef enum ReelModel { REEL_NONE, REEL_PAYOUT } ReelModel;
 typedef enum BrakeLaw { BRAKE_CONSTANT, BRAKE_PROPORTIONAL, BRAKE_SPEED } BrakeLaw;
 
-/* A drum that the cable leaves in the course of the run; its back tension is the tail's. */
+/* A drum that the cable may leave during the run; its back tension is the tail's. */
 typedef struct ReelDef {
     ReelModel model;
     double distance;              /* m from where the cable leaves the drum to the route's start */
@@ -18,13 +18,13 @@ typedef struct ReelDef {
     int end_fixed;                /* the cable's end is fastened to the drum */
     BrakeLaw brake;
     double torque;   /* N m; 0: no brake */
-    double at_speed; /* m/s of the cable, full drum, at which a proportional brake gives its torque */
+    double at_speed; /* m/s of the cable, with a full drum, at which a proportional brake gives its torque */
     Profile speed;   /* m/s, set speed of a speed-matched brake */
-    double over;     /* m/s above it at which that brake is fully on */
-    double v_s;      /* m/s of the cable below which brake and bearing fade */
+    double over;     /* m/s above it at which that brake has full torque */
+    double v_s;      /* m/s of the cable below which the torque of brake and bearing decays */
 } ReelDef;
 
-/* A drum on which the cable behind the route is wound, touched by every turn. */
+/* A drum with the cable behind the route wound on it, with contact at every turn. */
 typedef struct DrumDef {
     int present;
     double distance;              /* m from where the cable leaves the drum to the route's start */

@@ -1,6 +1,6 @@
 #include "def/rod_def.h"
 
-/* Unit vectors of a heading and a slope; `left` is level, whatever the slope. */
+/* Computes the unit vectors of a heading and a slope; `left` is level, whatever the slope. */
 static void axes_of(double heading, double slope, RodLine *line)
 {
     line->forward = v3(cos(heading) * cos(slope), sin(heading) * cos(slope), sin(slope));
@@ -22,7 +22,7 @@ RodLine rod_line(const RodDef *def, Vec3 start, double heading, double slope)
     return line;
 }
 
-/* From the start toward the centre of an arc, or the axis of a helix, as a bend's plane says (R2). */
+/* Direction from the start toward the centre of an arc, or the axis of a helix, by the plane of the bend (R2). */
 static Vec3 inward(const RodLine *line)
 {
     return v3_axpy(v3_scale(cos(line->def->plane), line->left), sin(line->def->plane), line->up);
@@ -83,8 +83,9 @@ double rod_points_length(int n, const Vec3 *point)
     return length;
 }
 
-/* A chord is never longer than its arc: the search goes outward until the line is farther away than the chord, then
- * halves. A line that turns back within a chord (a segment longer than the arc's diameter) ends at the widest place. */
+/* Finds the end of a chord. It is never longer than its arc: the search goes outward until the line is farther away
+ * than the chord, then bisects. If the line turns back within a chord (a segment longer than the arc's diameter), the
+ * search ends at the farthest place. */
 double rod_line_chord(const RodLine *line, double from, double chord)
 {
     const Vec3 origin = rod_line_at(line, from).position;

@@ -1,6 +1,5 @@
-/* What a case says of a rod: a chain with a shape of its own, ends that are held or led, loads anywhere, and no route.
- * A part of SceneDef (def/scene_def.h). SI; places along the rod are m from its tail; directions are unit vectors.
- */
+/* A rod: a chain with its own shape, ends that are held or moved, loads anywhere, and no route. A part of SceneDef
+ * (def/scene_def.h). SI; places along the rod are m from its tail; directions are unit vectors. */
 #ifndef HAWSER_DEF_ROD_DEF_H
 #define HAWSER_DEF_ROD_DEF_H
 
@@ -17,16 +16,16 @@ typedef struct RodProfile {
     Profile size;
 } RodProfile;
 
-/* A part of what leads an end: along (m) or about (rad) the profile's direction, or at that rate (m/s, rad/s). */
+/* A part of an end's motion: along (m) or about (rad) the profile's direction, or as a rate (m/s, rad/s). */
 typedef struct RodMotionDef {
     int turns, rates;
     RodProfile by;
 } RodMotionDef;
 
-/* How an end is held by the ground: by its half-springs in these components, axial first (core/chain.h). */
+/* Support of an end by the ground: its half-springs in these components, axial first (core/chain.h). */
 typedef struct RodEndDef {
     int held[6];
-    int pivot; /* the three translations are held alike in every direction, so that the end may turn right round */
+    int pivot; /* equal stiffness in all three translations, so that the end may rotate freely */
     int n_motions;
     RodMotionDef *motions; /* [n_motions], owned */
 } RodEndDef;
@@ -35,7 +34,7 @@ typedef struct RodEndDef {
 typedef struct RodLoadDef {
     char name[ROD_NAME_MAX];
     double at;
-    int moment, follower; /* follower: its direction turns with the segment */
+    int moment, follower; /* follower: its direction rotates with the segment */
     RodProfile by;
 } RodLoadDef;
 
@@ -52,16 +51,15 @@ typedef struct RodDef {
     int n_points;
     Vec3 *points; /* [n_points], owned; polyline */
     double roll,
-        roll_rate;   /* rad, rad/m: of the cross-section about the axis, from where it is carried without twist */
-    int stress_free; /* it rests in its shape; otherwise it is bent into it from straight */
+        roll_rate;   /* rad, rad/m: rotation of the cross-section about the axis, relative to twist-free transport */
+    int stress_free; /* its shape is free of stress; otherwise it is bent into it from straight */
     RodEndDef end[2];
     int n_loads, n_masses;
     RodLoadDef *loads;  /* owned */
     RodMassDef *masses; /* owned */
 } RodDef;
 
-/* ---- The line in which a rod lies at t = 0 (def/rod_def.c): straight, arc, helix or polyline. docs/model.md,
- * "Rods" (RD1), (RD2). */
+/* ---- The line of a rod at t = 0: straight, arc, helix or polyline. docs/model.md, "Rods" (RD1), (RD2). */
 
 /* The line, ready to be evaluated; borrows the definition. */
 typedef struct RodLine {
@@ -73,13 +71,13 @@ typedef struct RodPlace {
     Vec3 position, tangent; /* m, unit */
 } RodPlace;
 
-/* heading and slope in rad as for routes; a polyline has its own. */
+/* Builds the line; heading and slope in rad as for routes; a polyline has its own. */
 RodLine rod_line(const RodDef *def, Vec3 start, double heading, double slope);
-/* The line at arc length s (m); before a polyline's first point and past its last it goes on straight. */
+/* The line at arc length s (m); it continues straight before a polyline's first point and past its last. */
 RodPlace rod_line_at(const RodLine *line, double s);
 /* Length of a polyline, m. */
 double rod_points_length(int n, const Vec3 *point);
-/* The first s beyond `from` whose straight distance from the line at `from` is `chord` (m > 0). */
+/* First s beyond `from` at a distance of `chord` (m > 0) from the line at `from`. */
 double rod_line_chord(const RodLine *line, double from, double chord);
 
 #endif

@@ -7,14 +7,14 @@
 
 #include "core/error.h"
 
-/* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
+/* Sets the default contact law: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
  * (0.066 m) and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at
  * about half of critical. */
 static void contact_defaults(SceneDef *def)
 {
     def->geometry = GEOMETRY_SMOOTH;
     def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
-    def->line_impact = def->impact; /* 200 N/m of cable lie 0.07 mm deep, 5 kN/m in a bend press 0.6 mm */
+    def->line_impact = def->impact; /* depth 0.07 mm for cable of 200 N/m, 0.6 mm in a bend with 5 kN/m */
     def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
     def->friction_known = (FrictionKnown){.source = FRICTION_UNKNOWN, .rest_assumed = 1};
     def->cable_friction = def->friction;
@@ -91,7 +91,7 @@ Shape roller_def_shape(const RollerDef *roller)
     return shape;
 }
 
-/* Half of the way between its neighbours along the route, once that to an only one. */
+/* Half the distance between the neighbours along the route; the whole distance to a single neighbour. */
 double roller_def_span(const SceneDef *def, int r)
 {
     const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;
@@ -130,8 +130,8 @@ int scene_def_segments(const SceneDef *def)
     return n;
 }
 
-/* The length of a rod's last segment at either end, where the others have h: h^2/2L if a point mass lies beyond its
- * centre, so that this has a centre to sit on (RD4). */
+/* Length of a rod's last segment at either end, where the others have h: h^2/2L if a point mass lies beyond its centre,
+ * so that this mass lies at a centre (RD4). */
 static double end_length(const SceneDef *def, int end, double h)
 {
     double length = 0, own = h;
@@ -143,7 +143,7 @@ static double end_length(const SceneDef *def, int end, double h)
     return own;
 }
 
-/* Lengths of the segments of piece p, all alike but for those at the ends of a rod: out [segments]. */
+/* Computes the lengths of the segments of piece p, all equal except at the ends of a rod: out [segments]. */
 static void piece_cut(const SceneDef *def, int p, double *out)
 {
     const ChainPieceDef *const piece = &def->pieces[p];
@@ -175,9 +175,9 @@ double winch_def_largest_speed(const WinchDef *winch, double until)
     return profile_largest_until(&winch->speed, until);
 }
 
-/* Copying and clearing a definition: both go over what it owns. */
+/* Copying and clearing a definition: both visit everything it owns. */
 
-/* An array of the definition's: where its pointer and its count are, and the size of an item. */
+/* An array owned by the definition: offsets of its pointer and count, and the size of an item. */
 typedef struct OwnedArray {
     size_t pointer, count, size;
 } OwnedArray;
@@ -202,7 +202,7 @@ const char *scene_def_can_jam(const SceneDef *def, int i)
     return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
 }
 
-/* Where the pointer of an array is, whatever it points to. */
+/* Returns the pointer of an array, of any type. */
 static void *array_of(const SceneDef *def, const OwnedArray *a)
 {
     void *array;
@@ -215,7 +215,7 @@ static void array_put(SceneDef *def, const OwnedArray *a, void *array)
     memcpy((char *)def + a->pointer, &array, sizeof array);
 }
 
-/* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
+/* Copies `count` items of `size`; a count of 0 yields an allocation too. *ok becomes 0 if there is no memory. */
 static void *copy_of(const void *from, int count, size_t size, int *ok)
 {
     void *to = calloc((size_t)count + 1, size);
@@ -227,7 +227,7 @@ static void *copy_of(const void *from, int count, size_t size, int *ok)
     return to;
 }
 
-/* What is done to a profile that owns its table; 0: no memory. */
+/* Operation on a profile that owns its table; returns 0 without memory. */
 typedef int ProfileVisit(Profile *profile);
 
 static int visit_free(Profile *profile)
@@ -236,8 +236,8 @@ static int visit_free(Profile *profile)
     return 1;
 }
 
-/* All that may be tables, of the definition itself and of the items of its arrays; all are visited whatever one
- * returns. */
+/* Visits all profiles that may be tables, of the definition itself and of the items of its arrays; all are visited
+ * whatever one returns. */
 static int profiles_visit(SceneDef *def, ProfileVisit *visit)
 {
     int ok = visit(&def->winch.speed);
@@ -261,7 +261,7 @@ void scene_def_clear(SceneDef *def)
     memset(def, 0, sizeof *def);
 }
 
-/* The other chains' definitions; what could be copied stays for the clear. */
+/* Copies the other chains' definitions; after a failure the copied ones stay until the definition is cleared. */
 static void beside_copy(const SceneDef *def, SceneDef *out, int *ok)
 {
     out->n_beside = 0;
@@ -289,18 +289,18 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     return error_memory(err);
 }
 
-/* The same scene with finer numerical settings; what it says of the world stays. docs/model.md, "Certificates" (CE1).
- */
+/* The same scene with finer numerical settings; the physical model stays. docs/model.md, "Certificates" (CE1). */
 
-/* One level of time halves its error (CE1): accuracy by four, the longest step by the root of two, v_s by two. So does
- * one of length, the segments by two. */
+/* One level of time halves its error (CE1): accuracy by four, the longest step by the root of two, v_s by two. One
+ * level of length does so too: segments by two. */
 static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 4, [HAWSER_LENGTH] = 2};
 
 static const double STEPS = 1.4142135623730951, SLOWER = 2;
 
-static const double SAMPLES = 8; /* between which a peak may be missed: they cost little, and files are not written */
+static const double SAMPLES = 8; /* factor on the number of samples, between which peaks are missed: they cost little,
+                                    and files are not written */
 
-/* Equilibria of statics are found to rounding already: a tolerance is not asked below this. */
+/* Least tolerance of static equilibria, which are found to rounding already. */
 static const double STATIC_TOLERANCE = 1e-10;
 
 double refinement_ratio(hawser_source source) { return RATIO[source]; }
@@ -314,7 +314,7 @@ static void refine_time(SceneDef *def, int level)
     solver->atol_rotation /= gain;
     solver->atol_velocity /= gain;
     solver->atol_omega /= gain;
-    if (!(solver->max_step > 0)) solver->max_step = def->output.interval; /* what bounds a step then */
+    if (!(solver->max_step > 0)) solver->max_step = def->output.interval; /* the step's bound in that case */
     solver->imperfection /= pow(2, level);
     solver->max_step /= steps;
     solver->first_step /= steps;
@@ -324,7 +324,7 @@ static void refine_time(SceneDef *def, int level)
         def->analysis.tolerance = fmax(def->analysis.tolerance / gain, STATIC_TOLERANCE);
 }
 
-/* Segments that were named by their numbers are others now: they are forgotten. */
+/* Refines segments. Segments that were given by number no longer exist: they are removed. */
 static void refine_length(SceneDef *def, int level)
 {
     const double gain = pow(RATIO[HAWSER_LENGTH], level);
@@ -332,8 +332,8 @@ static void refine_length(SceneDef *def, int level)
     if (level != 0) def->output.n_speed_segments = 0;
 }
 
-/* v_d, where the coefficient has fallen to mu_d, is the world's; v_s stands for rest. The bristles of friction that
- * sticks keep their pace v_s/d_s. */
+/* Refines a friction law. v_d, where the coefficient has fallen to mu_d, is physical; v_s regularises rest. Bristles of
+ * sticking friction keep their ratio v_s/d_s. */
 static void refine_law(FrictionLaw *law, double gain)
 {
     law->v_s /= gain;
@@ -357,10 +357,11 @@ void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES])
     refine_time(def, level[HAWSER_TIME]);
     refine_friction(def, level[HAWSER_TIME]);
     refine_length(def, level[HAWSER_LENGTH]);
-    def->solver.max_steps = 0; /* a bound for the case as it is */
+    def->solver.max_steps = 0; /* a bound for the unrefined case */
 }
 
-/* Rows come as they did, and segments that were named are the first of the two that they have become. */
+/* Refines a run for its next pass. Rows keep their interval; a segment given by number becomes the first of its two
+ * parts. */
 void scene_def_finer_pass(SceneDef *def, int slower)
 {
     const double interval = def->output.interval;
@@ -373,7 +374,7 @@ void scene_def_finer_pass(SceneDef *def, int slower)
     for (int i = 0; i < watched; ++i) def->output.speed_segments[i] *= (int)RATIO[HAWSER_LENGTH];
 }
 
-/* Any friction, belt, drag or brake that fades toward rest. */
+/* Checks for any friction, belt, drag or brake that decays toward rest. */
 static int friction_fades(const SceneDef *def)
 {
     int fades = def->n_conveyors > 0 || def->drag.force > 0 || def->reel.model == REEL_PAYOUT;

@@ -6,13 +6,13 @@
 
 #include "core/error.h"
 
-/* One layer: number k, where it begins (m of cable below it), its radius and the length of one turn. */
+/* One layer: its number k, its start (length of cable below it, m), its radius and the length of one turn. */
 typedef struct Layer {
     int k;
     double from, radius, turn;
 } Layer;
 
-enum { LAYERS_MOST = 1000000 }; /* more are of a length that an iteration tries in vain */
+enum { LAYERS_MOST = 1000000 }; /* a larger number belongs to a failed iterate */
 
 /* Length of cable in the layers below number k (RL2). */
 static double layers_below(const Winding *w, double k)
@@ -27,19 +27,19 @@ static Layer layer_number(const Winding *w, int k)
     return l;
 }
 
-/* The layer in which the cable lies `length` m from its inner end: (RL2) solved for k. */
+/* The layer of the cable `length` m from its inner end: (RL2) solved for k. */
 static Layer layer_at(const Winding *w, double length)
 {
     const double x = fmax(length, 0) / (2 * M_PI * w->turns);
     const double layers = (sqrt(w->barrel * w->barrel + 2 * w->pitch * x) - w->barrel) / w->pitch;
     const int k = (int)fmin(layers, LAYERS_MOST);
     Layer l = layer_number(w, k);
-    /* rounding may have missed by one at a layer's very end */
+    /* rounding may shift the number by one at a layer's end */
     if (l.k > 0 && length < l.from) l = layer_number(w, k - 1);
     return l;
 }
 
-/* Share of the climb that is done at u m into the layer: the first turn of every layer but the lowest rises (RL3). */
+/* Completed share of the climb at u m into the layer: the first turn of every layer but the lowest rises (RL3). */
 static double climb_at(const Layer *l, double u) { return l->k > 0 && u < l->turn ? u / l->turn : 1; }
 
 double winding_turns(double width, double diameter) { return floor(width / diameter * (1 + 1e-12)); }
@@ -79,7 +79,7 @@ double winding_inertia(const Winding *w, double length)
     return w->inertia + w->line_mass * square;
 }
 
-/* Angle turned over the first u m of a layer: integral of 1/radius. */
+/* Angle of the first u m of a layer: integral of 1/radius. */
 static double layer_angle(const Winding *w, const Layer *l, double u)
 {
     const double c = climb_at(l, u), low = l->radius - w->pitch;
@@ -91,7 +91,7 @@ WindingPoint winding_point(const Winding *w, double length)
 {
     const Layer top = layer_at(w, length);
     const double u = fmax(length, 0) - top.from, span = (w->turns - 1) * w->pitch;
-    const double along = fmin(u / (w->turns * top.turn), 1) - 0.5; /* every other layer goes back */
+    const double along = fmin(u / (w->turns * top.turn), 1) - 0.5; /* every other layer runs back */
     WindingPoint p = {.radius = winding_radius(w, length, NULL), .across = top.k % 2 ? -along * span : along * span};
     p.angle = layer_angle(w, &top, u);
     for (int k = 0; k < top.k; ++k) {
@@ -101,7 +101,8 @@ WindingPoint winding_point(const Winding *w, double length)
     return p;
 }
 
-/* Diameters from turn to turn and from layer to layer: the cable leaves square, the turn before it does not. */
+/* Spacing of turns and layers in diameters: the cable leaves at a right angle to the axis, the turn before it does not.
+ */
 static const double LAY = 1.03;
 
 /* The lay for a drum and a cable of this diameter. */
@@ -113,20 +114,20 @@ static Lay lay_of(const DrumDef *d, double diameter)
     return lay;
 }
 
-/* Turns that the lay holds: two layers, and of the third what does not come near the second's first turns, which stand
- * out where they cross the turn below. */
+/* Number of turns that the lay holds: two layers, and the part of the third that stays away from the second's first
+ * turns, which protrude where they cross the turn below. */
 static double lay_capacity(const Lay *lay) { return 2 * lay->turns + 3 + fmax(0, lay->turns - 5); }
 
-/* Radius and place across after so many turns. Above the lowest layer each begins with a turn that climbs round the one
- * before it and one that comes back over that; then it goes on beside itself to the other flange (CC23). */
+/* Computes radius and lateral place after a number of turns. Each layer above the lowest begins with a turn that climbs
+ * round the last one and a turn back over that; then turns lie side by side to the other flange (CC23). */
 static void lay_at(const Lay *lay, double turn, double *radius, double *across)
 {
     const double edge = lay->turns * lay->pitch / 2, past = fmax(turn - lay->turns, 0);
     const double layer = floor(past / (lay->turns + 1)), in = past - layer * (lay->turns + 1);
     const double side = fmod(layer, 2) > 0.5 ? -1 : 1;
-    double up = layer, over = -1; /* pitches above the lowest layer, and beyond the edge */
+    double up = layer, over = -1; /* pitches above the lowest layer, and past the edge */
     if (turn < lay->turns) {
-        /* the end stands out straight, where layers above would meet it: it begins a diameter aside */
+        /* the end protrudes straight, where higher layers would meet it: it begins a diameter off */
         *radius = lay->first;
         *across = lay->pitch * turn - edge - lay->diameter * fmax(1 - 2 * turn, 0);
         return;
@@ -154,7 +155,7 @@ Vec3 lay_joint(const Lay *lay, double angle, double h)
     return v3(across, out * sin(angle), out * cos(angle));
 }
 
-/* The angle of the next joint: one chord of length h on. */
+/* Angle of the next joint, one chord of length h farther. */
 static double angle_next(const Lay *lay, double angle, double h)
 {
     const Vec3 from = lay_joint(lay, angle, h);
@@ -172,7 +173,7 @@ static double angle_next(const Lay *lay, double angle, double h)
     return (low + high) / 2;
 }
 
-/* Whether turns, layers and the way to the route fit; turns: wound. */
+/* Checks whether turns, layers and the path to the route fit; turns: number wound. */
 static hawser_status fit_check(const SceneDef *def, const Lay *lay, double turns, int wound, hawser_error *err)
 {
     const DrumDef *const d = &def->drum;
@@ -211,8 +212,7 @@ hawser_status wound_lay(const SceneDef *def, int n, const double *half, const do
                         hawser_error *err)
 {
     const Lay lay = lay_of(&def->drum, def->cables[def->pieces[0].cable].diameter);
-    int wound =
-        0; /* the first joint that is off the drum: the last one on or behind the place where the cable leaves */
+    int wound = 0; /* the first joint off the drum: the last one at or behind the place where the cable leaves */
     while (wound < n && joint_s[wound + 1] <= -def->drum.distance) ++wound;
     *out = (Wound){.lay = lay, .joints = wound, .radius = lay.first};
     double *const angle = out->angle = calloc((size_t)wound + 1, sizeof *angle);

@@ -1,6 +1,5 @@
-/* How cable lies on a drum, and how it leaves it: layers of equal turns between
- * two flanges. Everything is a function of the length wound, counted from the drum's barrel, and continuous in it.
- * docs/model.md, "Reel and take-in" (RL1)-(RL5). */
+/* Winding of cable on a drum: layers of equal turns between two flanges. Everything is a continuous function of the
+ * length wound, counted from the drum's barrel. docs/model.md, "Reel and take-in" (RL1)-(RL5). */
 #ifndef HAWSER_DEF_WINDING_H
 #define HAWSER_DEF_WINDING_H
 
@@ -14,29 +13,28 @@ typedef struct Winding {
     double inertia;   /* kg m2 of the empty drum about its axis */
 } Winding;
 
-/* Where a point of wound cable is, seen along the drum's axis. */
+/* A point of the wound cable, seen along the drum's axis. */
 typedef struct WindingPoint {
     double radius; /* m */
-    double angle;  /* rad, about the axis from the cable's inner end on */
+    double angle;  /* rad, about the axis from the cable's inner end */
     double across; /* m, along the axis from the drum's middle */
 } WindingPoint;
 
-/* Turns of a cable of this diameter between flanges `width` apart: 0 if it does not fit. */
+/* Number of turns of a cable of this diameter between flanges `width` apart: 0 if it does not fit. */
 double winding_turns(double width, double diameter);
-/* Length of cable that fits below flanges of this radius, whole layers only, m (RL4). */
+/* Length of cable below flanges of this radius, whole layers only, m (RL4). */
 double winding_capacity(const Winding *w, double flange);
 /* Radius of the cable's axis where it leaves a drum with `length` m wound on it (RL3); *slope (may be NULL) gets
  * d/d(length). */
 double winding_radius(const Winding *w, double length, double *slope);
 /* Moment of inertia of the drum with `length` m wound on it, kg m2 (RL5). */
 double winding_inertia(const Winding *w, double length);
-/* The point of the cable at `length` m from its inner end. */
+/* Point of the cable at `length` m from its inner end. */
 WindingPoint winding_point(const Winding *w, double length);
-/* How a cable lies on a drum that every turn touches, and whether it fits. docs/model.md, "A wound drum" (CC22),
- * (CC23).
- */
+/* Lay of a cable on a drum with contact at every turn, and whether it fits. docs/model.md, "A wound drum" (CC22),
+ * (CC23). */
 
-/* How the cable lies: radii and places across as functions of the angle from its inner end (CC22), (CC23). */
+/* The lay: radii and lateral places as functions of the angle from its inner end (CC22), (CC23). */
 typedef struct Lay {
     double first;    /* m, radius of the lowest layer's axis */
     double diameter; /* m, of the cable */
@@ -44,22 +42,21 @@ typedef struct Lay {
     double turns;    /* regular ones in the lowest layer */
 } Lay;
 
-/* A chain's joints on the drum, and where the cable leaves it: at the middle of the last segment, half on and half off.
- */
+/* A chain's joints on the drum, and the place where the cable leaves it: the middle of the last segment. */
 typedef struct Wound {
     Lay lay;
     int joints;                  /* 0 .. joints-1 lie on the drum */
     double *angle;               /* [joints], rad from the cable's inner end on; owned */
     double half;                 /* m, of the segment in the middle of which the cable leaves */
-    double radius, across, last; /* there: m, m, rad */
+    double radius, across, last; /* at that place: m, m, rad */
 } Wound;
 
 /* Winds the chain's joints behind the place where the cable leaves: half and joint_s (n segments, n + 1 joints) as in
- * the chain. Errors: INPUT (it does not fit), MEMORY. Give it back with free(out->angle), also after an error. */
+ * the chain. out->angle must be freed, also after an error. Errors: INPUT (it does not fit), MEMORY. */
 hawser_status wound_lay(const SceneDef *def, int n, const double *half, const double *joint_s, Wound *out,
                         hawser_error *err);
-/* Where a joint between segments of length h lies for the segments' middles to lie on the lay: in the drum's frame, x
- * across, y and z round. */
+/* Place of a joint between segments of length h whose middles lie on the lay: in the drum's frame, x across, y and z
+ * round. */
 Vec3 lay_joint(const Lay *lay, double angle, double h);
 
 #endif

@@ -1,5 +1,5 @@
-/* The readings of a log that are numbers and go on: the longest course of times, stamps that are coarser than the
- * readings, counters that run down, are set back or are wrong once. */
+/* Selects the usable readings of a log: numbers in a rising course of times. It is the longest such course; it deals
+ * with stamps coarser than the readings, and with counters that run down, are reset or wrong once. */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -15,8 +15,8 @@
 #include "study/maths.h"
 #include "study/page.h"
 
-/* (LO1a): metres, and steps of the neighbours, beyond which a single length is wrong; a fall that is said. Share of
- * readings beyond which their loss is said first. */
+/* (LO1a): excess in metres, and in steps of the neighbours, of a wrong single length; a fall of the length that is
+ * reported. Share of lost readings that is reported first. */
 static const double LENGTH_OFF_M = 0.5, LENGTH_OFF_STEPS = 5, LOST_SHARE = 0.03;
 
 void log_kept_free(LogKept *k)
@@ -28,7 +28,7 @@ void log_kept_free(LogKept *k)
 
 /* ---------------------------------------------------------------------------------------------------------- courses */
 
-/* Of readings at[n] the most whose x does not fall: the longest course, by the least end of each length. */
+/* Finds the longest course of readings at[n] in which x does not fall, with the smallest end for each length. */
 static hawser_status course_find(const double *x, long *n, long *at, hawser_error *err)
 {
     const size_t bytes = ((size_t)*n + 1) * sizeof(long);
@@ -50,7 +50,7 @@ static hawser_status course_find(const double *x, long *n, long *at, hawser_erro
     }
     for (long m = longest - 1, i = longest > 0 && !status ? end[longest - 1] : -1; i >= 0; m--) {
         const long next = before[i];
-        end[m] = i; /* ends of shorter courses are not needed any more */
+        end[m] = i; /* ends of shorter courses are no longer needed */
         i = next;
     }
     for (long m = 0; m < longest && !status; m++) at[m] = at[end[m]];
@@ -60,7 +60,7 @@ static hawser_status course_find(const double *x, long *n, long *at, hawser_erro
     return status;
 }
 
-/* Leaves out single lengths far off both neighbours. */
+/* Removes single lengths far off both neighbours. */
 static void lengths_check(PullLog *log, LogKept *k)
 {
     long kept = 0, wrong = 0;
@@ -84,7 +84,7 @@ static void lengths_check(PullLog *log, LogKept *k)
         log_say(log, "Single lengths far off their neighbours are lost: %ld, the first in line %d", wrong, line);
 }
 
-/* Readings of equal time go evenly up to the next stamp, or as far as stamps usually are apart. */
+/* Spreads readings of equal time evenly up to the next stamp, or over the usual distance of stamps. */
 static void times_spread(PullLog *log, LogKept *k)
 {
     int n = 0;
@@ -96,7 +96,7 @@ static void times_spread(PullLog *log, LogKept *k)
     }
     if (equal == 0) return;
     const double usual = quantile_of_sorted(sort_finite(n, k->x), k->x, 0.5);
-    if (n == 0) { /* no time goes on */
+    if (n == 0) { /* time never rises */
         for (long m = 1; m < k->n; m++) log->use[k->at[m]] = LOG_LOST;
         k->n = 1;
         return;
@@ -113,7 +113,7 @@ static void times_spread(PullLog *log, LogKept *k)
 
 /* ------------------------------------------------------------------------------------------------------------ signs */
 
-/* Errors for what is written the other way round: pulls and speeds below 0, a length that runs down. */
+/* Refuses inverted signs: pulls and speeds below 0, a length that runs down. */
 static hawser_status signs_check(const PullLog *log, hawser_error *err)
 {
     long force[2] = {0}, speed[2] = {0}, length[2] = {0}, last = -1, first = -1;
@@ -126,21 +126,21 @@ static hawser_status signs_check(const PullLog *log, hawser_error *err)
         last = i;
     }
     if (force[1] > 2 * force[0] && force[1] > 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its forces are below 0: write a pull above 0",
+        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its forces are below 0: pulls must be above 0",
                          force[1]);
     if (log->has_speed && speed[1] > 2 * speed[0] && speed[1] > 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its speeds are below 0: write that of a pull above 0",
-                         speed[1]);
-    if (log->has_length && length[1] > 2 * length[0] && length[1] > 2) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "the log: its length runs down, from %.6g m in line %d to %.6g m in line %d: write what has "
-                         "been pulled, which rises",
-                         log->length[first], log->line[first], log->length[last], log->line[last]);
+                         "the log: %ld of its speeds are below 0: speeds of a pull must be above 0", speed[1]);
+    if (log->has_length && length[1] > 2 * length[0] && length[1] > 2) {
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "the log: its length runs down, from %.6g m in line %d to %.6g m in line %d: the length pulled must rise",
+            log->length[first], log->line[first], log->length[last], log->line[last]);
     }
     return HAWSER_OK;
 }
 
-/* Lengths that fall: places are the counter's. */
+/* Reports falls of the length: places are the counter's. */
 static void falls_say(PullLog *log, const LogKept *k)
 {
     long falls = 0, first = 0;
@@ -149,14 +149,13 @@ static void falls_say(PullLog *log, const LogKept *k)
         if (falls++ == 0) first = m;
     }
     if (falls == 0) return;
-    log_say(
-        log,
-        "The length falls as if its counter was set back, %ld in all, first from %.4g m to %.4g m in line %d: places "
-        "are taken as they stand",
-        falls, log->length[k->at[first - 1]], log->length[k->at[first]], log->line[k->at[first]]);
+    log_say(log,
+            "The length falls as if its counter was set back, %ld in all, first from %.4g m to %.4g m in line %d: "
+            "places are used unchanged",
+            falls, log->length[k->at[first - 1]], log->length[k->at[first]], log->line[k->at[first]]);
 }
 
-/* Says first that many readings are lost. */
+/* Reports first that many readings are lost. */
 static void losses_say(PullLog *log)
 {
     long lost = 0, forces = 0, times = 0, first = -1;
@@ -197,24 +196,23 @@ hawser_status log_kept_find(PullLog *log, LogKept *k, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* What readings are good for: what is no reading, where the winch stood, where it broke away, what is a drop-out or a
- * spike. */
+/* Classifies readings: those that are none, rest of the winch, break-away, drop-outs and spikes. */
 
-/* (LO1): neighbours either way, robust deviations, and share of their median, beyond which a reading is a spike; share
- * of the usual force below which one in motion is a drop-out; how many times both neighbours a single reading of a
- * start is, as it breaks away and behind that. (LO2): share of the usual speed or force that is motion; readings that
- * may be wrongly fast. (LO3): metres or, without lengths, seconds that a start takes; readings before it that may hold
- * its peak. A gap in time that is said: seconds, and usual steps. */
+/* (LO1): number of neighbours on each side; robust deviations, and share of their median, beyond which a reading is a
+ * spike; share of the usual force below which a reading in motion is a drop-out; ratio to both neighbours of a single
+ * reading in a start, at break-away and later. (LO2): share of the usual speed or force that counts as motion; number
+ * of readings that may be wrongly fast. (LO3): metres or, without lengths, seconds of a start; readings before it that
+ * may contain its peak. A gap in time that is reported: seconds, and usual steps. */
 enum { NEIGHBOURS = 5, PEAK_BEFORE = 3, WRONG_SPEEDS = 3 };
 
 static const double SPIKE_DEVIATIONS = 6, SPIKE_SHARE = 0.1, DROP_SHARE = 0.05, BREAK_TIMES = 3, LONE_TIMES = 1.5,
                     MOVES_BY_SPEED = 0.2, MOVES_BY_FORCE = 0.3, RUN_UP_M = 0.5, RUN_UP_S = 5, GAP_S = 60,
                     GAP_STEPS = 20;
 
-/* The median of x[n], which gets sorted; NAN: nothing is finite. */
+/* Median of x[n], which is sorted; NAN: nothing is finite. */
 static double median_of(int n, double *x) { return quantile_of_sorted(sort_finite(n, x), x, 0.5); }
 
-/* The median of the forces around reading m of those that are kept, and their robust deviation about it. */
+/* Median of the forces of the kept readings around reading m, and their robust deviation from it. */
 static double local_median(const PullLog *log, const LogKept *k, long m, double *deviation)
 {
     double x[2 * NEIGHBOURS + 1];
@@ -228,8 +226,8 @@ static double local_median(const PullLog *log, const LogKept *k, long m, double 
     return middle;
 }
 
-/* Neighbours over which speeds are taken: twice as many as there usually are between two steps of the counter (LO2a).
- */
+/* Finds the number of neighbours for speeds: twice the usual number of readings between two steps of the counter
+ * (LO2a). */
 static void reach_find(const PullLog *log, LogKept *k)
 {
     int n = 0;
@@ -244,8 +242,8 @@ static void reach_find(const PullLog *log, LogKept *k)
     if (n > 2 && 2 * usual > NEIGHBOURS) k->reach = (long)(2 * usual);
 }
 
-/* Speeds: the file's, or differences of its lengths over the neighbours, since lengths are rounded; without either the
- * smoothed force stands for them. */
+/* Finds speeds: the file's, or differences of its lengths over the neighbours, since lengths are rounded; without
+ * either the smoothed force. */
 static void speeds_find(const PullLog *log, LogKept *k)
 {
     double deviation;
@@ -265,7 +263,7 @@ static void speeds_find(const PullLog *log, LogKept *k)
     }
 }
 
-/* The largest of v but for a hundredth of them and a few, which may be wrong. */
+/* Largest v except a hundredth of them and a few, which may be wrong. */
 static double largest_usual(const LogKept *k)
 {
     int n = 0;
@@ -277,8 +275,8 @@ static double largest_usual(const LogKept *k)
     return n > 0 ? k->x[n - 1 - wrong] : 0;
 }
 
-/* A log that begins with a low force is at rest there by its force alone, unless that rises steadily: then it begins to
- * pull. Says so either way. */
+/* Judges a beginning with low force: by the force alone it is rest, unless the force rises steadily, which is the start
+ * of a pull. Reports the choice. */
 static void rise_judge(PullLog *log, const LogKept *k)
 {
     long low = 0, all = 0;
@@ -305,7 +303,7 @@ static void rise_judge(PullLog *log, const LogKept *k)
     }
 }
 
-/* Marks where the winch stands (LO2). Returns 0 if it never moves. */
+/* Marks rest of the winch (LO2). Returns 0 if it never moves. */
 static int rests_find(PullLog *log, LogKept *k)
 {
     const int by_force = !log->has_speed && !log->has_length;
@@ -317,7 +315,7 @@ static int rests_find(PullLog *log, LogKept *k)
     const double usual = median_of(n, k->x), moves = (by_force ? MOVES_BY_FORCE : MOVES_BY_SPEED) * usual;
     long moving = 0;
     for (long m = 0; m < k->n; m++) {
-        const int rest = k->v[m] < moves; /* what is not known is taken for motion */
+        const int rest = k->v[m] < moves; /* an unknown reading counts as motion */
         log->use[k->at[m]] = rest ? LOG_AT_REST : LOG_MOVING;
         moving += !rest;
     }
@@ -325,7 +323,7 @@ static int rests_find(PullLog *log, LogKept *k)
     return moving > 0;
 }
 
-/* Spikes and drop-outs among readings in motion (LO1). */
+/* Finds spikes and drop-outs among readings in motion (LO1). */
 static void spikes_find(PullLog *log, LogKept *k)
 {
     double deviation;
@@ -343,7 +341,7 @@ static void spikes_find(PullLog *log, LogKept *k)
     }
 }
 
-/* The speed at a kept reading, without a single wrong one: the median of three. */
+/* Speed at a kept reading, as the median of three, which removes a single wrong one. */
 static double speed_around(const PullLog *log, const LogKept *k, long m)
 {
     double v[3];
@@ -354,7 +352,7 @@ static double speed_around(const PullLog *log, const LogKept *k, long m)
     return n < 3 ? log->speed[k->at[m]] : median_of(n, v);
 }
 
-/* Gaps in time over which lengths are reckoned. */
+/* Reports gaps in time over which lengths are computed. */
 static void gaps_say(PullLog *log, const LogKept *k)
 {
     int n = 0;
@@ -374,7 +372,7 @@ static void gaps_say(PullLog *log, const LogKept *k)
                   gaps, log->time[i] - log->time[before], log->length[i] - log->length[before], log->line[i]);
 }
 
-/* Lengths by the speed and the time in motion, where the file has none. */
+/* Computes lengths from the speed and the time in motion if the file has none. */
 static void lengths_fill(PullLog *log, const LogKept *k, double speed)
 {
     double length = 0;
@@ -388,8 +386,8 @@ static void lengths_fill(PullLog *log, const LogKept *k, double speed)
     gaps_say(log, k);
 }
 
-/* Where the log begins to pull: the last reading that has not moved from where the first half of its first rest was.
- * Speeds over neighbours see motion some readings early or late. */
+/* Finds where the log begins to pull: the last reading that has not moved from the median place of the first half of
+ * its first rest. Speeds over neighbours show motion some readings early or late. */
 static void begin_find(PullLog *log, const LogKept *k)
 {
     const double *const x = log->has_length ? log->length : log->speed;
@@ -407,8 +405,8 @@ static void begin_find(PullLog *log, const LogKept *k)
     }
 }
 
-/* Whether a reading of the start at m is a single one, far above both its neighbours: no peak of breaking away, which
- * is the less sharp the later it comes. */
+/* Checks whether a reading of the start at m is a single one, far above both its neighbours and therefore no break-away
+ * peak, which is less sharp the later it comes. */
 static int is_lone(const PullLog *log, const LogKept *k, long m, long j)
 {
     if (j == 0 || j + 1 >= k->n) return 0;
@@ -416,8 +414,8 @@ static int is_lone(const PullLog *log, const LogKept *k, long m, long j)
     return around > 0 && log->force[k->at[j]] > (j < m + 2 * k->reach ? BREAK_TIMES : LONE_TIMES) * around;
 }
 
-/* The start at reading m, behind a rest: its largest force is what it takes to break away, the rest of it is no pull at
- * speed (LO3). Returns the first reading behind it. */
+/* Judges the start at reading m, after a rest: its largest force is the break-away force, the rest of it is not steady
+ * pull (LO3). Returns the first reading after it. */
 static long start_judge(PullLog *log, const LogKept *k, long m, int raw)
 {
     const int by_length = isfinite(log->length[k->at[m]]) != 0;
@@ -438,7 +436,7 @@ static long start_judge(PullLog *log, const LogKept *k, long m, int raw)
     return j;
 }
 
-/* The readings just before a rest at reading m: the force falls while lengths are still rounded to motion. */
+/* Marks the readings just before a rest at reading m: the force falls while rounded lengths still show motion. */
 static void stop_judge(PullLog *log, const LogKept *k, long m)
 {
     for (long j = m > k->reach ? m - k->reach : 0; j < m; j++) {
@@ -446,7 +444,7 @@ static void stop_judge(PullLog *log, const LogKept *k, long m)
     }
 }
 
-/* All starts and stops. */
+/* Finds all starts and stops. */
 static void starts_find(PullLog *log, const LogKept *k, int raw)
 {
     log->starts = 0;
@@ -479,19 +477,19 @@ hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err)
     return status;
 }
 
-/* A measured pull beside what was planned, by a run and theory or by theory alone: figures of agreement, planned
- * against pulled by the place of the head, and a page. */
+/* Compares a measured pull with a plan, by a run and theory or by theory alone: figures of agreement, planned against
+ * pulled by the place of the head, and a page. */
 
 enum { BINS = 200, PLANNED_PARTS = 12, NAME_BYTES = 160 };
 
-/* A model's force over the axis: columns of series.csv. */
+/* Force of a model over the axis: columns of series.csv. */
 typedef struct Model {
     const char *name;
     int n;
-    double *at, *force; /* [n] owned; rising, NAN where nothing is known */
+    double *at, *force; /* [n] owned; rising, NAN where unknown */
 } Model;
 
-/* How well a model agrees, (LO4)-(LO7). */
+/* Agreement of a model with the log, (LO4)-(LO7). */
 typedef struct Agreement {
     const char *name;
     long points;
@@ -499,38 +497,38 @@ typedef struct Agreement {
     double peak_log, peak_model, peak_pct;
 } Agreement;
 
-/* What was planned and what was pulled with the head on one part of its way. */
+/* Planned and pulled force with the head on one part of its path. */
 typedef struct PlannedPart {
     double from, to; /* m, or s with by_start */
     long readings;
-    double pulled, pulled_most, planned, ratio; /* N, means at speed; pulled over planned */
+    double pulled, pulled_most, planned, ratio; /* N, means in motion; pulled over planned */
 } PlannedPart;
 
-/* A largest force and where it is. */
+/* A largest force and its place. */
 typedef struct PlannedPeak {
     double force, at; /* NAN: there is none */
 } PlannedPeak;
 
-/* All of a comparison. */
+/* Data of a comparison. */
 typedef struct Comparison {
     hawser_compare_options options;
-    int unended; /* the run has not said how it ended */
+    int unended; /* the run's results have no end state */
     PullLog log;
-    double *axis; /* [log.n] where a reading is on the models' axis */
+    double *axis; /* [log.n] place of each reading on the models' axis */
     double from, to;
     int n_models, n_points;
     Model model[2];
     LogPoint *point;
     Agreement agreement[2];
-    CaseHeads heads; /* of a case; no theory: of results */
+    CaseHeads heads; /* of a case; theory NULL: of results */
     int n_parts;
     PlannedPart part[PLANNED_PARTS];
     PlannedPeak planned, pulled;
-    double
-        share; /* of the planned friction, which explains the mean of what was pulled; NAN: of results, or none does */
+    double share; /* of the planned friction, with which theory has the mean of the pulled force; NAN: from results, or
+                     there is none */
 } Comparison;
 
-/* The force at a place of the axis; NAN: the model does not reach it. */
+/* Force at a place of the axis; NAN: the model does not reach it. */
 static double model_at(const Model *m, double at)
 {
     int low = 0, high = m->n - 1;
@@ -543,7 +541,7 @@ static double model_at(const Model *m, double at)
     return width > 0 ? m->force[low] + (m->force[high] - m->force[low]) * (at - m->at[low]) / width : m->force[low];
 }
 
-/* A column of forces over the axis, from the first row that moves on; rows that do not go on are left out. */
+/* Reads a column of forces over the axis, from the first row in motion; rows without progress are left out. */
 static hawser_status model_make(const Sheet *series, const char *column, const char *name, int by_start, Model *m,
                                 hawser_error *err)
 {
@@ -566,7 +564,7 @@ static hawser_status model_make(const Sheet *series, const char *column, const c
     return HAWSER_OK;
 }
 
-/* Whether any reading has a place on an axis. */
+/* Checks whether any reading has a place on the axis. */
 static int has_places(const PullLog *log, const double *axis)
 {
     for (long i = 0; i < log->n; i++) {
@@ -575,25 +573,25 @@ static int has_places(const PullLog *log, const double *axis)
     return 0;
 }
 
-/* The readings on the models' axis: lengths as they stand, times from the last reading at rest, as the models' are;
- * moved by `shift`. */
+/* Places the readings on the models' axis: lengths as they are, times from the last reading at rest, as the models'
+ * are; both moved by `shift`. */
 static hawser_status axis_make(Comparison *c, hawser_error *err)
 {
     const int by_start = c->options.by_start;
     const double *const from = by_start ? c->log.time : c->log.length;
     if (by_start ? !c->log.has_time : !has_places(&c->log, from))
         return error_set(err, HAWSER_ERR_INPUT, "the log has no %s: align it by %s",
-                         by_start ? "time" : "length, and no speed to reckon it from", by_start ? "length" : "start");
+                         by_start ? "time" : "length, and no speed to compute it from", by_start ? "length" : "start");
     c->axis = malloc(((size_t)c->log.n + 1) * sizeof *c->axis);
     if (!c->axis) return error_memory(err);
     const double zero = by_start && c->log.begin >= 0 ? from[c->log.begin] : 0;
     for (long i = 0; i < c->log.n; i++) c->axis[i] = from[i] - zero + c->options.shift;
     if (by_start && !c->log.from_rest)
-        log_say_first(&c->log, "The log does not begin at rest: the run's start is laid at its first reading");
+        log_say_first(&c->log, "The log does not begin at rest: the run's start is aligned with its first reading");
     return HAWSER_OK;
 }
 
-/* Readings of the log that a model reaches, each beside the model's value there; bins of both. */
+/* Compares readings with the model's values at their places; bins both. */
 static hawser_status agreement_find(Comparison *c, const Model *m, Agreement *a, hawser_error *err)
 {
     const double width = (c->to - c->from) / BINS;
@@ -640,10 +638,10 @@ static hawser_status agreement_find(Comparison *c, const Model *m, Agreement *a,
 
 /* ------------------------------------------------------------------------------------------- planned and pulled */
 
-/* The model that says what was planned: theory where it is known. */
+/* The model of the plan: theory if it is known. */
 static const Model *planned_by(const Comparison *c) { return &c->model[c->n_models - 1]; }
 
-/* Readings at speed over equal parts of what log and model have in common, and the peaks of both there. */
+/* Computes means in motion over equal parts of the common range, and the peaks of both there. */
 static void parts_find(Comparison *c)
 {
     const Model *const m = planned_by(c);
@@ -673,7 +671,8 @@ static void parts_find(Comparison *c)
     }
 }
 
-/* By how much theory with that share of friction pulls more than the log, N: the mean over the parts (LO11). */
+/* Computes the excess of theory's force over the log's with that share of friction, N: the mean over the parts (LO11).
+ */
 static hawser_status share_more(const Comparison *c, double share, double *more, hawser_error *err)
 {
     double head[PLANNED_PARTS], force[PLANNED_PARTS];
@@ -687,7 +686,7 @@ static hawser_status share_more(const Comparison *c, double share, double *more,
     return status;
 }
 
-/* The share of the planned friction with which theory has the log's mean (LO11). */
+/* Finds the share of the planned friction with which theory has the log's mean (LO11). */
 static hawser_status share_find(Comparison *c, hawser_error *err)
 {
     static const double MOST = 8, NEAR = 1e-5;
@@ -696,7 +695,7 @@ static hawser_status share_find(Comparison *c, hawser_error *err)
     if (!c->heads.theory) return HAWSER_OK;
     hawser_status status = share_more(c, low, &less, err);
     if (!status) status = share_more(c, high, &more, err);
-    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK, more = INFINITY; /* it has grown past all bounds */
+    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK, more = INFINITY; /* the force grew past all bounds */
     if (status || less > 0 || more < 0) return status;
     while (!status && high - low > NEAR) {
         const double middle = (low + high) / 2;
@@ -708,7 +707,7 @@ static hawser_status share_find(Comparison *c, hawser_error *err)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ to say
+/* ------------------------------------------------------------------------------------------------------------ output
  */
 
 #define FIGURE(key_, what, member, places)                                                                             \
@@ -743,7 +742,7 @@ static const Column agreement_columns[] = {
 
 static const Column part_columns[] = PART_COLUMNS("m"), time_columns[] = PART_COLUMNS("s");
 
-/* Both tables, on paper and on the page. */
+/* Builds both tables, for text and page. */
 static void tables_make(const Comparison *c, Table table[2])
 {
     const Columns by_place = COLUMNS(PlannedPart, part_columns), by_time = COLUMNS(PlannedPart, time_columns);
@@ -752,7 +751,7 @@ static void tables_make(const Comparison *c, Table table[2])
     table[1] = (Table){"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
 }
 
-/* The peaks, and the friction that would explain the pull. */
+/* Writes the peaks, and the friction that would explain the pull. */
 static int planned_say(const Comparison *c, char *text, size_t size)
 {
     const char *const unit = c->options.by_start ? "s" : "m";
@@ -763,7 +762,7 @@ static int planned_say(const Comparison *c, char *text, size_t size)
     if (!c->heads.theory) return n;
     if (isnan(c->share))
         return n + snprintf(text + n, size - (size_t)n,
-                            "  friction  no friction explains what was pulled: look at weight and back tension\n");
+                            "  friction  no friction explains what was pulled: check weight and back tension\n");
     const int one = c->heads.friction - c->heads.friction_least < 1e-9;
     if (one)
         n += snprintf(text + n, size - (size_t)n,
@@ -838,7 +837,7 @@ static hawser_status document_make(const Comparison *c, const char *results, con
 
 /* ----------------------------------------------------------------------------------------------------------- page */
 
-/* All forces over the axis, and what each model is off. */
+/* Draws all forces over the axis, and the difference of each model. */
 static void figures_add(Text *page, const Comparison *c, double *scratch)
 {
     assert(c->n_models <= 2);
@@ -888,7 +887,7 @@ static hawser_status page_write_to(const Comparison *c, const char *results, con
 /* ---------------------------------------------------------------------------------------------------------- as a whole
  */
 
-/* Theory's force by the place of the head. */
+/* Builds theory's force by the place of the head. */
 static hawser_status heads_model(const CaseHeads *heads, Model *m, hawser_error *err)
 {
     *m = (Model){"theory", BINS + 1, malloc((BINS + 1) * sizeof(double)), malloc((BINS + 1) * sizeof(double))};
@@ -897,7 +896,7 @@ static hawser_status heads_model(const CaseHeads *heads, Model *m, hawser_error 
     return case_heads_force(heads, 1, m->n, m->at, m->force, err);
 }
 
-/* What log and models have in common. */
+/* Finds the common range of log and models. */
 static hawser_status range_find(Comparison *c, hawser_error *err)
 {
     c->from = INFINITY;
@@ -913,7 +912,7 @@ static hawser_status range_find(Comparison *c, hawser_error *err)
                      c->heads.theory ? "the case" : "the results");
 }
 
-/* The models on the axis, and the stretch that run and log have in common. */
+/* Builds the models on the axis, and the common range of run and log. */
 static hawser_status models_make(Comparison *c, const Folder *folder, hawser_error *err)
 {
     const char *const column[2] = {"winch_force_N", "reference_N"}, *const name[2] = {"run", "theory"};
@@ -941,7 +940,7 @@ static void comparison_clear(Comparison *c)
     log_free(&c->log);
 }
 
-/* The page is none of the files that are compared. */
+/* Checks that the page does not overwrite one of the compared files. */
 static hawser_status page_spare(const Folder *folder, const char *log, const char *page, hawser_error *err)
 {
     FileMarks files = {0};
@@ -952,7 +951,7 @@ static hawser_status page_spare(const Folder *folder, const char *log, const cha
     return status;
 }
 
-/* The usual speed of the run's winch: of a log that has neither length nor speed. NAN: not known. */
+/* Usual speed of the run's winch, for a log with neither length nor speed. NAN: unknown. */
 static double usual_speed(const Folder *folder)
 {
     const int v = sheet_column(&folder->series, "winch_speed_m_per_s");
@@ -961,7 +960,7 @@ static double usual_speed(const Folder *folder)
     return most;
 }
 
-/* All that is left when log and models are there. */
+/* Completes the comparison once log and models are read. */
 static hawser_status compared(Comparison *c, const char *with, const char *log, char **text, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -976,7 +975,7 @@ static hawser_status compared(Comparison *c, const char *with, const char *log, 
     return status ? status : document_make(c, with, log, text, err);
 }
 
-/* Against theory alone, whose head begins where the case has it; the log's lengths count from there. */
+/* Compares with theory alone, whose head begins at the case's place; the log's lengths count from there. */
 static hawser_status compare_case(Comparison *c, const char *path, const char *log, char **text, hawser_error *err)
 {
     FileMarks files = {0};
@@ -997,7 +996,7 @@ static hawser_status compare_case(Comparison *c, const char *path, const char *l
     if (!status && c->options.page) status = file_marks_spare(&files, c->options.page, err);
     file_marks_free(&files);
     if (!status) status = compared(c, path, log, text, err);
-    case_heads_free(&c->heads); /* it borrows from the case */
+    case_heads_free(&c->heads); /* heads borrow from the case */
     hawser_case_free(planned);
     return status;
 }
@@ -1018,7 +1017,7 @@ static hawser_status compare_results(Comparison *c, const char *results, const c
     return status;
 }
 
-/* An error of the log names its file. */
+/* Adds the file name to an error of the log. */
 static hawser_status name_log(hawser_status status, const char *log, hawser_error *err)
 {
     static const char of_log[] = "the log";

@@ -1,4 +1,4 @@
-/* By what a study is known: a number that is another one where a row could be another. */
+/* Identity of a study: a number that changes whenever a row could change. */
 #include "study/evaluate.h"
 
 #include <jansson.h>
@@ -20,7 +20,7 @@ enum { STORE_FORMAT = 3, FILES_DEPTH = LIBRARY_DEPTH_MAX };
 
 /* ----------------------------------------------------------------------------------------------------------- hashes */
 
-/* With its end, so that "ab", "c" is not "a", "bc". */
+/* Adds a text with its terminator, so that "ab", "c" differs from "a", "bc". */
 static Hash hash_text(Hash h, const char *text)
 {
     return hash_bytes(h, text ? text : "\1", text ? strlen(text) + 1 : 2);
@@ -75,8 +75,8 @@ static int is_yaml(const char *name)
     return dot && (!strcmp(dot, ".yaml") || !strcmp(dot, ".yml"));
 }
 
-/* The bytes of the file that a text names, if there is such a one in the folder, and of those that it names in turn if
- * it is a catalogue or another case. */
+/* Adds the bytes of the file that a text names, if the folder has it, and of the files that it names in turn if it is a
+ * catalogue or another case. */
 static Hash hash_file(Hash h, const char *name, const char *folder, int included, int depth)
 {
     char path[OUT_PATH_MAX], bytes[1 << 14];
@@ -97,7 +97,7 @@ static Hash hash_file(Hash h, const char *name, const char *folder, int included
     return h;
 }
 
-/* Those that any text in a tree names. What is no file's name costs a look. */
+/* Adds the files that any text in a tree names. A text that names no file costs one lookup. */
 static Hash hash_files(Hash h, const CaseNode *node, const char *folder, int included, int depth)
 {
     included |= node->key && !strcmp(node->key, "include");
@@ -107,7 +107,7 @@ static Hash hash_files(Hash h, const CaseNode *node, const char *folder, int inc
     return h;
 }
 
-/* Those that a parameter's choices name, which are YAML as a case has it. */
+/* Adds the files that a parameter's choices name; choices are YAML as in a case. */
 static Hash hash_choices(Hash h, const Parameter *p, const char *folder)
 {
     hawser_error none;
@@ -122,7 +122,7 @@ static Hash hash_choices(Hash h, const Parameter *p, const char *folder)
     return h;
 }
 
-/* Whether a case takes something by its `type`, from a catalogue. */
+/* Checks whether a case uses `type`, which refers to a catalogue. */
 static int has_type(const CaseNode *node)
 {
     int found = node->key && !strcmp(node->key, "type");
@@ -141,7 +141,7 @@ static int may_have_type(const Study *s)
     return found;
 }
 
-/* The shipped catalogue, in whatever order; where it is not there, no sample finds it either. */
+/* Adds the shipped catalogue, in any order; if it is missing, no sample finds it either. */
 static hawser_status hash_shipped(const Study *s, Hash *h, hawser_error *err)
 {
     hawser_error none;
@@ -158,15 +158,16 @@ static hawser_status hash_shipped(const Study *s, Hash *h, hawser_error *err)
 
 /* ---------------------------------------------------------------------------------------------------------- study */
 
-/* All that a row depends on: the program, the base case as it is built, every file that the base or a variant names,
- * and the catalogue; what is varied and looked at. The number of samples only where the points depend on it, so that a
- * study may be made longer. */
+/* Computes the identity from everything that a row depends on: the program, the base case as it is built, every file
+ * that the base or a variant names, and the catalogue; parameters and quantities. The number of samples only counts
+ * where the points depend on it, so that a study may be extended. */
 hawser_status study_identity(const Study *s, const char *also, uint64_t *out, hawser_error *err)
 {
     char *built = NULL;
     const hawser_status status = hawser_case_describe(s->base, HAWSER_JSON, &built, NULL);
     if (status == HAWSER_ERR_MEMORY) return error_memory(err);
-    Hash h = hash_text(hash_text(HASH_BEGIN, hawser_version()), built); /* a base that is no case by itself: nothing */
+    Hash h =
+        hash_text(hash_text(HASH_BEGIN, hawser_version()), built); /* a base that is not a complete case: nothing */
     hawser_text_free(built);
     h = hash_node(h, s->base->tree->root);
     const char *const folder = s->base->tree->folder;
@@ -193,10 +194,10 @@ hawser_status study_identity(const Study *s, const char *also, uint64_t *out, ha
     return HAWSER_OK;
 }
 
-/* A run's winch force by the place of the cable's head, as a log of it would have it: docs/model/96-measured-pulls.md,
+/* Winch force of a run by the place of the cable's head, as a log of it would show: docs/model/96-measured-pulls.md,
  * "Fit". */
 
-/* After each step. A second pass begins anew: its results are those of the run. */
+/* Adds a point after each step. A second pass restarts the curve: its results replace the first's. */
 static int step_add(void *user, hawser_sim *sim, double t)
 {
     RunCurve *const c = user;
@@ -219,7 +220,7 @@ static int step_add(void *user, hawser_sim *sim, double t)
     return 0;
 }
 
-/* Follows a simulation that is about to run. */
+/* Attaches the curve to a simulation that is about to run. */
 static void curve_begin(RunCurve *c, hawser_sim *sim)
 {
     *c = (RunCurve){.time = -INFINITY};
@@ -228,7 +229,7 @@ static void curve_begin(RunCurve *c, hawser_sim *sim)
 
 static void curve_free(RunCurve *c) { free(c->point); }
 
-/* The integral of the force from the curve's beginning to `at`, which lies within. */
+/* Integral of the force from the curve's beginning to `at`, which lies within. */
 static double area_to(const RunCurve *c, double at)
 {
     int low = 0, high = c->n - 1;
@@ -241,7 +242,7 @@ static double area_to(const RunCurve *c, double at)
     return p->area + (at - p->at) * (p->force + share * (q->force - p->force) / 2);
 }
 
-/* Means over parts as wide as the log's (LO10). */
+/* Computes means over parts as wide as the log's (LO10). */
 static int curve_take(const RunCurve *c, const Measured *m, double *force, char *why, size_t size)
 {
     const double from = c->n > 1 ? c->point[0].at : NAN, to = c->n > 1 ? c->point[c->n - 1].at : NAN;
@@ -260,19 +261,19 @@ static int curve_take(const RunCurve *c, const Measured *m, double *force, char 
     return 1;
 }
 
-/* A calibration over samples: the force of theory at the log's places less the log's, and a fit that goes on where it
- * was by meeting the samples that are there again. */
+/* A calibration over samples: theory's force at the log's places less the log's; a restarted fit reuses the samples
+ * that are already there. */
 
-/* Shares of the ranges: steps of differences, and steps at which the fit ends. A run's force has an error of its own,
- * of which a difference must be many times. */
+/* Shares of the ranges: steps of differences, and steps at which the fit ends. A run's force has an error, and a
+ * difference must be many times as large. */
 static const double FOR_THEORY = 1e-3, FOR_RUNS = 2e-2, END_THEORY = 1e-7, END_RUNS = 1e-4;
 
 typedef struct Trail {
     const Study *study;
     const Rows *known;
-    SampleAsk ask; /* NULL: nothing is asked for */
+    SampleAsk ask; /* NULL: no new samples */
     void *user;
-    long n; /* the sample that it meets next */
+    long n; /* next sample of the trail */
     int other;
     double *value;
 } Trail;
@@ -310,7 +311,7 @@ int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, in
     if (runs) plan.small = END_RUNS;
     int ok = trail.value && fit_run(&plan, trail_try, &trail, result);
     if (ok && s->fidelity == BY_BOTH && result->done) {
-        double begin[FIT_MAX]; /* off the bounds: from there the first step is not held */
+        double begin[FIT_MAX]; /* off the bounds: at a bound the first step would be held */
         for (int j = 0; j < box.n; j++) {
             const double margin = FOR_RUNS * (box.to[j] - box.from[j]);
             begin[j] = fmin(fmax(result->x[j], box.from[j] + margin), box.to[j] - margin);
@@ -326,20 +327,20 @@ int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, in
     return ok;
 }
 
-/* A search over samples: what their answers mean to it, and a search that goes on where it was by meeting the samples
- * that are there again. */
+/* A search over samples: how answers are valued, and a restarted search that reuses the samples that are already there.
+ */
 
-/* --------------------------------------------------------------------------------------------------------- meaning */
+/* --------------------------------------------------------------------------------------------------------- values */
 
 int aim_constraints(const Study *s) { return s->aim.n_constraints + (s->aim.limits ? LIMIT_KINDS : 0) + 1; }
 
-/* NAN: not known. */
+/* Value of a term; NAN: unknown. */
 static double asked_value(const Study *s, Asked a, const double *value, const double *x)
 {
     return a.parameter >= 0 ? parameter_number(&s->parameter[a.parameter], x[a.parameter]) : value[a.quantity];
 }
 
-/* By how much of the bound a value is outside; -: within. What is not known is outside. */
+/* Amount by which a value exceeds its bound, as a share; negative within. An unknown value is outside. */
 static double constraint_broken(const Constraint *c, double value)
 {
     const double low = c->least != 0 ? fabs(c->least) : 1, high = c->most != 0 ? fabs(c->most) : 1;
@@ -348,8 +349,8 @@ static double constraint_broken(const Constraint *c, double value)
     return isnan(value) ? 1 : fmax(below, above);
 }
 
-/* A limit that is not judged is no constraint, but where limits must hold the last one, the verdict's, is broken unless
- * it is SAFE; an answer that is not trusted breaks it in any case. */
+/* Computes objective and constraints. A limit that is not judged is no constraint, but if limits must hold the last
+ * constraint, the verdict's, is broken unless it is SAFE; an untrusted answer breaks it in any case. */
 double aim_value(const Study *s, const Row *row, const double *value, const double *x, double *broken)
 {
     const Aim *const a = &s->aim;
@@ -373,7 +374,7 @@ typedef struct SearchTrail {
     const Rows *known;
     SampleAsk ask;
     void *user;
-    long first, n; /* its samples; how many it has met */
+    long first, n; /* its samples; number used so far */
     int other;
     double value[1 << 13];
 } SearchTrail;
@@ -414,7 +415,7 @@ int search_samples(const Study *s, long c, const Rows *known, SampleAsk ask, voi
     return ok;
 }
 
-/* One sample: the base case with its point, theory's answer, a run's, and what is looked at in them. */
+/* One sample: the base case with its point, theory's answer, a run's, and the quantities in them. */
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
 
@@ -425,7 +426,7 @@ const char *row_verdict(int verdict)
 
 /* ---------------------------------------------------------------------------------------------------- answers */
 
-/* Whether an object has this word among its values, as a list's item has its name. */
+/* Checks whether an object has this word among its values, such as the name of a list's item. */
 static int says(const json_t *object, const char *word, size_t length)
 {
     const char *key;
@@ -439,8 +440,8 @@ static int says(const json_t *object, const char *word, size_t length)
     return 0;
 }
 
-/* What a dotted path leads to; NULL: nowhere. A list's items go by number, or by words among their values, one after
- * the other: "limits.forward.pull.margin". */
+/* Value at a dotted path; NULL: none. Items of lists are given by number, or by one or more words among their values:
+ * "limits.forward.pull.margin". */
 static const json_t *answer_at(const json_t *at, const char *path)
 {
     if (!at || !*path) return at;
@@ -464,7 +465,7 @@ static const json_t *answer_at(const json_t *at, const char *path)
     return NULL;
 }
 
-/* A number, or a truth as 0 or 1; NAN: it is neither, or not known. */
+/* A number, or a Boolean as 0 or 1; NAN: neither, or unknown. */
 static double number_of(const json_t *value)
 {
     if (json_is_boolean(value)) return json_is_true(value);
@@ -477,7 +478,7 @@ static int verdict_of(const char *text)
     return word == HAWSER_WORDS ? VERDICT_NONE : (int)word + 1;
 }
 
-/* The margins of one answer, of theory's those of a pull forward. */
+/* Takes the margins of one answer, for theory those of a forward pull. */
 static void margins_take(const json_t *limits, Row *row)
 {
     size_t i;
@@ -495,7 +496,7 @@ static void margins_take(const json_t *limits, Row *row)
     }
 }
 
-/* Whether a limit without which no pull is called safe was not judged. */
+/* Checks for an unjudged limit that SAFE requires. */
 static int essential_missing(const json_t *limits)
 {
     size_t i;
@@ -510,7 +511,7 @@ static int essential_missing(const json_t *limits)
     return 0;
 }
 
-/* Whether nothing is wrong with an answer but that a limit is too near to be certain of. */
+/* Checks whether the only failed condition is that a limit is too close to be decided. */
 static int is_close_only(const json_t *conditions)
 {
     size_t i;
@@ -525,7 +526,7 @@ static int is_close_only(const json_t *conditions)
     return close && !other;
 }
 
-/* What an answer close to a limit counts as: by what was found, with what was assumed. least: its smallest margin. */
+/* Verdict for an answer close to a limit: by its figures, with the assumed values. least: its smallest margin. */
 static int close_verdict(const json_t *answer, double least)
 {
     if (least < 0) return VERDICT_NOT_SAFE;
@@ -533,8 +534,8 @@ static int close_verdict(const json_t *answer, double least)
     return json_array_size(json_object_get(answer, "assumed")) > 0 ? VERDICT_SAFE_ONLY_IF : VERDICT_SAFE;
 }
 
-/* Verdict and margins of one answer. An answer close to a limit is not left out, which would bend how often that limit
- * is broken. A cable that runs away by theory breaks that limit, whatever its figures are worth. */
+/* Takes verdict and margins of one answer. Answers close to a limit count, since leaving them out would bias how often
+ * that limit is broken. A cable that runs away by theory breaks that limit, whatever the other figures are worth. */
 static void judge(const json_t *answer, const char *verdict, int theory, Row *row)
 {
     row->verdict = verdict_of(json_string_value(json_object_get(answer, verdict)));
@@ -547,7 +548,7 @@ static void judge(const json_t *answer, const char *verdict, int theory, Row *ro
     }
 }
 
-/* The quantities of one answer. */
+/* Takes the quantities of one answer. */
 static void look(const Study *s, const json_t *answer, Fidelity of, double *value)
 {
     for (int q = 0; q < s->n_quantities; q++) {
@@ -559,15 +560,15 @@ static void look(const Study *s, const json_t *answer, Fidelity of, double *valu
 
 enum { TABLES_MAX = 64, TABLE_NAME_MAX = 40 };
 
-/* What is to be had of theory for these quantities, and no more: the other direction and the questions the other way
- * round cost many times the rest. */
+/* The parts of theory that these quantities need, and no more: the other direction and the inverse questions cost many
+ * times the rest. */
 typedef struct Wanted {
     TheoryWish wish;
     char name[TABLES_MAX][TABLE_NAME_MAX];
     const char *table[TABLES_MAX + 1];
 } Wanted;
 
-/* Tables that one direction alone has; what is no table is a fact. */
+/* Checks for a table of one direction; names of no table are facts. */
 static int is_along(const char *name)
 {
     static const char *const along[] = {"stations", "terms", "run", "limits"};
@@ -609,7 +610,7 @@ static void wish_make(const Study *s, Wanted *w)
     w->table[n] = NULL;
 }
 
-/* Theory's force at the places of the log's points, between those that it lists; NAN where it has none. */
+/* Takes theory's force at the log's points, interpolated between its places; NAN where it has none. */
 static void heads_take(const Measured *m, const json_t *heads, double *force)
 {
     size_t i;
@@ -651,7 +652,7 @@ static hawser_status by_theory(const Study *s, hawser_case *c, Row *row, double 
     return HAWSER_OK;
 }
 
-/* The summary of a simulation as an object; NULL with a message. */
+/* Summary of a simulation as an object; NULL with a message. */
 static json_t *summary_of(const hawser_sim *sim, hawser_error *err)
 {
     char *text;
@@ -669,7 +670,7 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     RunCurve curve = {0};
     char why[REASON_MAX];
     hawser_status status = case_ensure_read(c, err);
-    /* a second pass that one sample needs and another does not would be a leap of the force that is fitted */
+    /* a second pass for some samples only would make the fitted force discontinuous */
     if (!status && s->measured.n > 0 && c->def->solver.passes == PASSES_AUTO)
         status = hawser_case_set(c, "solver.passes", "1", err);
     if (!status) status = hawser_sim_new(c, &one, &sim, err);
@@ -691,8 +692,8 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     return status;
 }
 
-/* A margin and a half of the largest difference. Where no pilot has both answers, or one breaks a limit that theory
- * says nothing about, everything is run. */
+/* Computes margin bands: one and a half times the largest difference. If no pilot has both answers, or one breaks a
+ * limit that theory does not judge, all samples are run. */
 void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS])
 {
     static const double SAFELY = 1.5, ALL = 1e6;
@@ -711,7 +712,7 @@ void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS])
     for (int k = 0; k < LIMIT_KINDS && (all || !known); k++) band[k] = ALL;
 }
 
-/* Whether theory cannot be relied on to tell: a margin of a limit is within `close` of 0. */
+/* Checks whether theory cannot be relied on: a margin of a limit is within `close` of 0. */
 static int is_close(const Study *s, const Row *row)
 {
     if (study_is_pilot(s, row->sample)) return 1;
@@ -730,10 +731,10 @@ static double processor_time(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Nothing is known yet. */
+/* Initialises a row without results. */
 static void row_begin(const Study *s, long i, const double *x, Row *row, double *value)
 {
-    memset(row, 0, sizeof *row); /* what lies between the members is written too */
+    memset(row, 0, sizeof *row); /* padding between the members is written too */
     row->sample = i;
     row->limited_by = -1;
     for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = row->theory[k] = NAN;
@@ -759,7 +760,7 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
     if (!status && run && row->verdict != VERDICT_NOT_TRUSTED) memcpy(row->theory, theory, sizeof theory);
     hawser_case_free(c);
     row->state = ROW_DONE;
-    if (status) { /* an answer that came before does not count: its verdict might be the better one */
+    if (status) { /* an earlier answer does not count: its verdict might be better */
         row_begin(s, i, x, row, value);
         row->state = status == HAWSER_ERR_INPUT ? ROW_REFUSED : status == HAWSER_ERR_MEMORY ? ROW_MEMORY : ROW_FAILED;
         snprintf(row->reason, sizeof row->reason, "%.*s", REASON_MAX - 1, err.message);
@@ -767,9 +768,9 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
     row->seconds = processor_time() - start;
 }
 
-/* ------------------------------------------------------------------------------------------------ before it begins */
+/* ------------------------------------------------------------------------------------------------ checks beforehand */
 
-/* Where nothing is yet before a run: balances, modes, loads that are critical. */
+/* Checks for results that are empty before a run: balances, modes, critical loads. */
 static int comes_later(const char *path)
 {
     static const char *const late[] = {"balance",          "modes",  "critical_loads", "events",
@@ -782,7 +783,7 @@ static int comes_later(const char *path)
     return 0;
 }
 
-/* The quantities of one answer in it. */
+/* Checks that the quantities exist in one answer. */
 static hawser_status paths_check(const Study *s, const json_t *answer, Fidelity of, hawser_error *err)
 {
     for (int q = 0; q < s->n_quantities; q++) {
@@ -801,7 +802,7 @@ static hawser_status paths_check(const Study *s, const json_t *answer, Fidelity 
     return HAWSER_OK;
 }
 
-/* Theory's answer to the middle; with both fidelities it must have a limit to be close to. */
+/* Checks theory's answer to the middle; with both fidelities it must judge a limit. */
 static hawser_status theory_check(const Study *s, hawser_case *c, hawser_error *err)
 {
     Wanted wanted;

@@ -1,4 +1,4 @@
-/* What a calibration has found: parameters with their intervals, and what the log cannot tell. */
+/* Findings of a calibration: parameters with their intervals, and what the log cannot determine. */
 #include "study/findings.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 static void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX]);
 static hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 
-/* Beyond which two estimates cannot be told apart, and below which a direction is not seen at all. */
+/* Correlation from which two estimates count as inseparable; share below which a direction counts as undetermined. */
 static const double TOGETHER = 0.95, UNSEEN = 1e-5;
 
 static void warn(Findings *f, const char *format, const char *a, const char *b)
@@ -19,30 +19,31 @@ static void warn(Findings *f, const char *format, const char *a, const char *b)
     if (f->n_warnings < WARNINGS_MAX) snprintf(f->warning[f->n_warnings++], WARNING_MAX, format, a, b);
 }
 
-/* Bounds that were met, intervals as wide as the range, pairs, and what is not seen. */
+/* Writes warnings: bounds reached, intervals as wide as the range, correlated pairs, undetermined directions. */
 static void warnings_find(const Study *s, const FitResult *x, Findings *f)
 {
     for (int j = 0; j < s->n_parameters; j++) {
         const Parameter *const p = &s->parameter[j];
         if (x->at_bound[j])
-            warn(f, "%s lies at its bound '%s': the log wants it beyond", p->name, x->at_bound[j] < 0 ? "from" : "to");
+            warn(f, "%s is at its bound '%s': the log fits better beyond it", p->name,
+                 x->at_bound[j] < 0 ? "from" : "to");
         else if (x->half[j] > (p->law.b - p->law.a) / 2)
-            warn(f, "the log says nothing of %s: its interval is as wide as its range%s", p->name, "");
+            warn(f, "the log does not determine %s: its interval is as wide as its range%s", p->name, "");
         for (int k = 0; k < j; k++) {
             if (fabs(x->correlation[j][k]) > TOGETHER)
-                warn(f, "%s and %s cannot be told apart: one makes up for the other", s->parameter[k].name, p->name);
+                warn(f, "%s and %s cannot be separated: one compensates the other", s->parameter[k].name, p->name);
         }
     }
     if (x->least_singular > UNSEEN || s->n_parameters < 2) return;
-    int a = 0, b = -1; /* the largest shares of what is not seen */
+    int a = 0, b = -1; /* largest shares of the undetermined direction */
     for (int j = 1; j < s->n_parameters; j++) a = fabs(x->weakest[j]) > fabs(x->weakest[a]) ? j : a;
     for (int j = 0; j < s->n_parameters; j++) {
         if (j != a && (b < 0 || fabs(x->weakest[j]) > fabs(x->weakest[b]))) b = j;
     }
-    warn(f, "the log does not see %s and %s together at all", s->parameter[a].name, s->parameter[b].name);
+    warn(f, "the log does not determine %s and %s together", s->parameter[a].name, s->parameter[b].name);
 }
 
-/* The fit of a calibration, as far as its samples are there. Errors: MEMORY. */
+/* Evaluates the fit of a calibration with the available samples. Errors: MEMORY. */
 static hawser_status calibration_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err)
 {
     int other;
@@ -63,7 +64,7 @@ static hawser_status calibration_find(const Study *s, const Rows *rows, Findings
             row->with = s->parameter[k].name;
         }
     }
-    f->fit_sample = -1; /* the sample of the best point: its curve is that of the fit */
+    f->fit_sample = -1; /* sample of the best point: its curve is that of the fit */
     for (long i = 0; i < rows->n; i++) {
         if (rows->row[i].state == ROW_OPEN) continue;
         double at[PARAMETERS_MAX];
@@ -79,9 +80,9 @@ static hawser_status calibration_find(const Study *s, const Rows *rows, Findings
     return HAWSER_OK;
 }
 
-/* What a search has found: the best designs, and how each search ended. */
+/* Findings of a search: the best designs, and how each search ended. */
 
-/* What the search made of a row that is there: what it sought, and (SR1). broken [constraints]: scratch. */
+/* Value of a row in the search: objective and (SR1). broken [constraints]: scratch. */
 static DesignRow design_of(const Study *s, const Rows *rows, long i, double *broken)
 {
     double x[PARAMETERS_MAX];
@@ -97,7 +98,8 @@ static DesignRow design_of(const Study *s, const Rows *rows, long i, double *bro
     return d;
 }
 
-/* Whether two points of a search are alike: within a hundredth of every side of the box, and the same whole numbers. */
+/* Checks whether two points of a search are alike: within a hundredth of every side of the box, with equal whole
+ * numbers. */
 static int points_alike(const Study *s, const Rows *rows, long i, long k)
 {
     double a[PARAMETERS_MAX], b[PARAMETERS_MAX];
@@ -111,8 +113,8 @@ static int points_alike(const Study *s, const Rows *rows, long i, long k)
     return 1;
 }
 
-/* Puts a design into its place among the best so far, n of them, unless it is like a better one; of equals the earlier
- * one stays before. Returns how many there are then. */
+/* Inserts a design among the n best so far, unless it is like a better one; of equals the earlier one stays first.
+ * Returns the new number. */
 static int design_place(const Study *s, const Rows *rows, DesignRow *best, int n, const DesignRow *d)
 {
     int at = n;
@@ -121,7 +123,7 @@ static int design_place(const Study *s, const Rows *rows, DesignRow *best, int n
         if (points_alike(s, rows, best[k].sample, d->sample)) return n;
     }
     if (at == DESIGNS_MAX) return n;
-    int kept = at; /* what follows and is not like it */
+    int kept = at; /* designs after it that are not like it */
     DesignRow after[DESIGNS_MAX];
     for (int k = at; k < n; k++) {
         if (!points_alike(s, rows, best[k].sample, d->sample)) after[kept++ - at] = best[k];
@@ -137,8 +139,8 @@ const char *aim_unit(const Study *s)
     return s->aim.n_terms == 1 && fabs(s->aim.term[0].weight) == 1 ? unit_of_key(s->aim.name) : "";
 }
 
-/* A search that has met fewer points than it may has ended by itself, or was stopped with the study: until the study
- * has been seen to its end nobody can say. */
+/* Finds the designs. A search with fewer points than allowed has ended by itself, or was stopped with the study, which
+ * is unknown until the study is complete. */
 static hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err)
 {
     double *const broken = malloc((size_t)aim_constraints(s) * sizeof *broken + 1);
@@ -175,19 +177,19 @@ static hawser_status designs_find(const Study *s, const Rows *rows, Findings *f,
     return HAWSER_OK;
 }
 
-/* From rows to findings. Sums go over samples in their order, so that they do not depend on who computed which. */
+/* From rows to findings. Sums run over samples in order, so that they do not depend on which process computed them. */
 
 /* ------------------------------------------------------------------------------------------------- verdicts, limits */
 
-/* An interval belongs to samples that are drawn: variants that somebody chose are all there are. */
+/* Share with an interval for random samples; chosen variants are the whole population and have none. */
 static Share share_in(const Study *s, long hits, long n)
 {
     const Share share = share_of(hits, n);
     return s->kind == STUDY_MONTE_CARLO ? share : (Share){share.value, NAN, NAN};
 }
 
-/* Not judged as a whole, or safe with what is assumed alone, but none of the limits that could be judged is broken:
- * left out, what is judged would be what is broken. */
+/* Checks for a row without a broken limit that is not judged as a whole, or safe only with assumptions. If such rows
+ * did not count, mostly broken ones would remain. */
 static int holds_open(const Row *row)
 {
     const int open = row->verdict == VERDICT_NOT_JUDGED || row->verdict == VERDICT_SAFE_ONLY_IF;
@@ -220,7 +222,7 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 
 static int is_pilot(const Study *s, long i) { return s->pilot > 0 && study_is_pilot(s, i); }
 
-/* Whether some samples have no run, so that runs are those near a limit. */
+/* Checks whether some samples have no run, so that runs are those near a limit. */
 static int runs_are_chosen(const Study *s, const Rows *rows)
 {
     long by_theory = 0;
@@ -229,7 +231,7 @@ static int runs_are_chosen(const Study *s, const Rows *rows)
     return s->fidelity == BY_BOTH && !study_searches(s) && by_theory > 0;
 }
 
-/* Whether theory never judges a limit. */
+/* Checks whether theory never judges this limit. */
 static int by_runs_alone(const Rows *rows, int limit)
 {
     for (long i = 0; i < rows->n; i++) {
@@ -239,7 +241,7 @@ static int by_runs_alone(const Rows *rows, int limit)
     return 1;
 }
 
-/* x: scratch [rows->n]. */
+/* Computes statistics of the limits. x: scratch [rows->n]. */
 static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) {
@@ -249,7 +251,7 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
         int n = 0;
         for (long i = 0; i < rows->n; i++) {
             const Row *const r = &rows->row[i];
-            const double margin = isnan(r->margin[k]) ? r->theory[k] : r->margin[k]; /* a run may not judge it */
+            const double margin = isnan(r->margin[k]) ? r->theory[k] : r->margin[k]; /* a run need not judge it */
             if (r->state != ROW_DONE) continue;
             row.binds += r->verdict == VERDICT_NOT_SAFE && r->limited_by == k;
             if (isnan(margin) || (pilots_alone && !is_pilot(s, i))) continue;
@@ -267,7 +269,7 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
 
 /* ------------------------------------------------------------------------------------------------------ quantities */
 
-/* Of runs that are chosen the pilots alone are a fair draw. */
+/* Value of a quantity if it belongs to a fair sample: of chosen runs only the pilots are. */
 static double quantity_fair(const Study *s, const Rows *rows, const Findings *f, int q, long i)
 {
     if (rows->row[i].state != ROW_DONE) return NAN;
@@ -275,13 +277,13 @@ static double quantity_fair(const Study *s, const Rows *rows, const Findings *f,
     return rows->value[i * rows->width + q];
 }
 
-/* The values of quantity q into x[rows->n]. */
+/* Copies the values of quantity q to x[rows->n]. */
 static void values_of(const Study *s, const Rows *rows, const Findings *f, int q, double *x)
 {
     for (long i = 0; i < rows->n; i++) x[i] = quantity_fair(s, rows, f, q, i);
 }
 
-/* The unit of the first quantity, and of what is sought; "": none, or a sum of several. */
+/* Unit of the first quantity, and of the objective; "": none, or a sum of several. */
 static const char *first_unit(const Study *s) { return s->n_quantities > 0 ? unit_of_key(s->quantity[0].path) : ""; }
 
 static void quantities_find(const Study *s, const Rows *rows, double *x, Findings *f)
@@ -299,7 +301,7 @@ static void quantities_find(const Study *s, const Rows *rows, double *x, Finding
     }
 }
 
-/* By 10, 20, 50, 100 ... samples, and by all: of points that are drawn, as far as all of them are there. */
+/* Computes estimates by 10, 20, 50, 100 ... samples, and by all, for random points up to the first missing one. */
 static void convergence_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     static const int steps[3] = {1, 2, 5};
@@ -324,7 +326,7 @@ static void convergence_find(const Study *s, const Rows *rows, double *x, Findin
 
 /* -------------------------------------------------------------------------------------------------------- effects */
 
-/* Of quantity q; 0 without memory. Blocks that are not all there do not count. */
+/* Computes the effects on quantity q from complete blocks; returns 0 without memory. */
 static int effects_of(const Study *s, int q, const double *y, EffectRow *row)
 {
     const int d = s->n_parameters;
@@ -355,7 +357,7 @@ static hawser_status effects_find(const Study *s, const Rows *rows, double *x, F
     return HAWSER_OK;
 }
 
-/* "count = 18, speed = 6 m/min": the point of a row that is there, as far as there is room. */
+/* Writes the point of a row, "count = 18, speed = 6 m/min", as far as it fits. */
 static void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX])
 {
     double x[PARAMETERS_MAX];
@@ -372,7 +374,7 @@ static void point_say(const Study *s, const Rows *rows, long i, char text[VARIAN
     }
 }
 
-/* One by one, where people can read them all. */
+/* Lists variants one by one if their number is small enough to read. */
 static void variants_list(const Study *s, const Rows *rows, Findings *f)
 {
     if (s->kind >= STUDY_MONTE_CARLO || rows->n > VARIANTS_MAX) return;
@@ -436,13 +438,13 @@ void findings_free(Findings *f)
     *f = (Findings){.quantity = NULL};
 }
 
-/* What a quantity does as one parameter goes from its low to its high values while the others vary: tornado and
+/* Response of a quantity as one parameter goes from its low to its high values while the others vary: tornado and
  * response curves. docs/model/94-studies.md, "Responses". */
 
-/* A sample: a parameter's value, the quantity's. */
+/* A sample: value of a parameter and of the quantity. */
 typedef struct Pair {
     double x, y;
-    double rank_x, rank_y; /* from 0; those that are equal share their mean */
+    double rank_x, rank_y; /* from 0; equal values share their mean */
 } Pair;
 
 static int by_x(const void *a, const void *b)
@@ -457,7 +459,7 @@ static int by_y(const void *a, const void *b)
     return (p->y > q->y) - (p->y < q->y);
 }
 
-/* The end of those that are equal to pair[i] by a comparison that they rise by. */
+/* End of the items equal to pair[i] by the comparison by which they are sorted. */
 static long equals_end(const Pair *pair, long n, long i, int (*by)(const void *, const void *))
 {
     long end = i + 1;
@@ -475,7 +477,7 @@ static void ranks_give(Pair *pair, long n, int of_x)
     }
 }
 
-/* The samples with both, by rising x; returns how many. */
+/* Collects the samples with both values, sorted by x; returns their number. */
 static long pairs_find(const Study *s, const Rows *rows, const Findings *f, int j, int q, Pair *pair)
 {
     double x[PARAMETERS_MAX];
@@ -492,8 +494,7 @@ static long pairs_find(const Study *s, const Rows *rows, const Findings *f, int 
     return n;
 }
 
-/* The mean of y over the samples from..to-1 by rising x, where of those with one x each counts as much as the others.
- */
+/* Mean of y over the samples from..to-1 by rising x, where samples with equal x have equal weights. */
 static double mean_between(const Pair *pair, long n, long from, long to)
 {
     double sum = 0;
@@ -507,7 +508,7 @@ static double mean_between(const Pair *pair, long n, long from, long to)
     return sum / (double)(to - from);
 }
 
-/* Means of y in the first and the last tenth, at least one sample each, and the correlation of ranks (ES4). */
+/* Computes means of y in the first and the last tenth, at least one sample each, and the rank correlation (ES4). */
 static TornadoRow tornado_of(const Pair *pair, long n)
 {
     const long tenth = n >= 10 ? n / 10 : 1;
@@ -528,7 +529,7 @@ static TornadoRow tornado_of(const Pair *pair, long n)
     return row;
 }
 
-/* Ten parts of the parameter's range, each with what lies in it. scratch: [n]. */
+/* Computes the response in ten parts of the parameter's range. scratch: [n]. */
 static int responses_of(const Pair *pair, long n, double *scratch, ResponseRow *row)
 {
     const double from = pair[0].x, width = (pair[n - 1].x - from) / RESPONSE_PARTS;
@@ -559,8 +560,8 @@ static int larger_swing(const void *a, const void *b)
     return (p->swing < q->swing) - (p->swing > q->swing);
 }
 
-/* Of the first quantity, over parameters that are numbers, of studies whose samples are not chosen by what came of
- * others. */
+/* Finds responses of the first quantity to numeric parameters, for studies whose samples do not depend on earlier
+ * results. */
 static hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err)
 {
     const size_t n = (size_t)rows->n + 1, d = (size_t)s->n_parameters + 1;

@@ -1,4 +1,4 @@
-/* A measured pull's notes, and its points. */
+/* Notes of a measured pull, and its points. */
 #include "study/log.h"
 
 #include <ctype.h>
@@ -86,7 +86,7 @@ int log_points(const PullLog *log, const double *axis, double from, double to, i
 
 /* ----------------------------------------------------------------------------------------------------------- lines */
 
-/* The next line, without its end; NULL: there are no more. *at moves behind it. */
+/* Returns the next line without its end, and advances *at; NULL: there are no more. */
 static char *line_next(char **at)
 {
     char *const line = *at;
@@ -97,7 +97,7 @@ static char *line_next(char **at)
     return line;
 }
 
-/* Cells of a line that ends with a line or the text, without empty ones at its end. */
+/* Number of cells of a line that ends with a line end or the text, without empty ones at its end. */
 static int cells_of(const char *line, char separator)
 {
     int n = 1, filled = 0, quoted = 0;
@@ -109,7 +109,7 @@ static int cells_of(const char *line, char separator)
     return filled;
 }
 
-/* Whether a mark stands in a line outside quotes. */
+/* Checks for a separator in a line outside quotes. */
 static int has_separator(const char *line, char separator)
 {
     int quoted = 0;
@@ -120,8 +120,8 @@ static int has_separator(const char *line, char separator)
     return 0;
 }
 
-/* What separates a line's cells: of ';', tab, '|' and ',' outside quotes the first of which it has as many as the next
- * line of `rest`, else the first that it has at all; commas may be decimal, or stand in names. */
+/* Finds the separator of a line's cells: of ';', tab, '|' and ',' outside quotes the first with equal counts in this
+ * line and the next one of `rest`, else the first that occurs; commas may be decimal, or part of names. */
 static char separator_of(const char *line, const char *rest)
 {
     static const char all[] = ";\t|,";
@@ -156,7 +156,7 @@ int line_cut(char *line, char separator, char *cell[CELLS_MAX])
     return n;
 }
 
-/* How many cells there are up to the last that is not empty. */
+/* Number of cells up to the last that is not empty. */
 static int cells_filled(int n, char *const *cell)
 {
     while (n > 0 && !*cell[n - 1]) n--;
@@ -165,17 +165,16 @@ static int cells_filled(int n, char *const *cell)
 
 /* --------------------------------------------------------------------------------------------------------- numbers */
 
-/* How a number is written. */
+/* Notation of a number. */
 typedef struct Shape {
-    char text[WORD_MAX]; /* sign, digits, marks; ' for blanks and apostrophes */
-    size_t body;         /* its first digit or mark */
-    size_t end;          /* its exponent, or its end */
-    char decimal, mark,
-        either; /* '.' or ',': that of the decimals, that between thousands, that which can be both; 0 */
+    char text[WORD_MAX];        /* sign, digits, marks; ' for blanks and apostrophes */
+    size_t body;                /* its first digit or mark */
+    size_t end;                 /* its exponent, or its end */
+    char decimal, mark, either; /* '.' or ',': the decimal mark, the thousands mark, one that may be either; 0: none */
     int digits;
 } Shape;
 
-/* What stands for one mark between thousands, a minus: how many bytes it has; *as is what it is read as. */
+/* Matches a substitute for a thousands mark or a minus: returns its number of bytes; *as is the replacement. */
 static size_t sign_at(const char *c, char *as)
 {
     static const struct {
@@ -193,7 +192,8 @@ static size_t sign_at(const char *c, char *as)
     return 1;
 }
 
-/* Whether n bytes are groups of three digits, the first of one to three and not of 0, with a mark between them. */
+/* Checks whether n bytes are groups of three digits, the first of one to three and not beginning with 0, separated by
+ * the mark. */
 static int is_grouped(const char *text, size_t n, char mark)
 {
     size_t in = 0, groups = 0;
@@ -210,7 +210,7 @@ static int is_grouped(const char *text, size_t n, char mark)
     return groups > 0 && in == 3;
 }
 
-/* What the marks of a number can be. 0: it is no number. */
+/* Finds the possible roles of a number's marks. Returns 0 if it is not a number. */
 static int marks_find(Shape *s)
 {
     const char *const body = s->text + s->body;
@@ -224,7 +224,7 @@ static int marks_find(Shape *s)
         last[k - all] = i;
     }
     const int both = count[0] > 0 && count[1] > 0;
-    if (count[2] > 0 || both) { /* the last is the decimal mark, another stands between thousands */
+    if (count[2] > 0 || both) { /* the last is the decimal mark, the other the thousands mark */
         const int d = both ? last[1] > last[0] : count[1] > 0, t = count[2] > 0 ? 2 : !d;
         if ((both && count[2] > 0) || count[d] > 1) return 0;
         s->mark = all[t];
@@ -240,7 +240,7 @@ static int marks_find(Shape *s)
     return count[m] == 1 || grouped;
 }
 
-/* 0: it is no number. */
+/* Analyses a cell; returns 0 if it is not a number. */
 static int shape_of(const char *cell, Shape *s)
 {
     size_t n = 0;
@@ -264,8 +264,8 @@ static int shape_of(const char *cell, Shape *s)
     return !*e && marks_find(s);
 }
 
-/* Counts a cell. Returns whether it is a number: a sign, digits with marks, an exponent. Blanks (also those that do not
- * break) and apostrophes stand between thousands. */
+/* Counts a cell. Returns whether it is a number: a sign, digits with marks, an exponent. Blanks (also non-breaking
+ * ones) and apostrophes are thousands marks. */
 static int marks_see(Marks *m, const char *cell, int line)
 {
     Shape s;
@@ -284,7 +284,7 @@ static int marks_see(Marks *m, const char *cell, int line)
     return 1;
 }
 
-/* A cell's number; thousands[2]: whether a mark that can be both stands between thousands. NAN: it is none. */
+/* Number in a cell; thousands[2]: whether a mark that may be either is a thousands mark. NAN: not a number. */
 static double log_cell_number(const Units *units, const char *cell, const int thousands[2])
 {
     char why[UNITS_WHY_MAX];
@@ -304,10 +304,10 @@ static double log_cell_number(const Units *units, const char *cell, const int th
 
 /* Clocks and dates of a logger's file: seconds of the day, days of the calendar, and midnights. */
 
-/* Falls of a clock beyond this are midnights, s; what goes on within it, goes on. */
+/* Falls of a clock by more than this are midnights, s; a rise within it is a continuation. */
 static const double FALL = 300, HOUR = 3600, DAY = 86400;
 
-/* Of a clock of twelve hours that `text` follows: 1 "am", 2 "pm", "p.m.", in either case; 0: it is none. */
+/* Half of the day after a twelve-hour clock: 1 "am", 2 "pm", "p.m.", in either case; 0: none. */
 static int half_of_day(const char *text)
 {
     char word[3] = "";
@@ -321,8 +321,8 @@ static int half_of_day(const char *text)
     return strcmp(word, "am") == 0 ? 1 : strcmp(word, "pm") == 0 ? 2 : 0;
 }
 
-/* "10:31:07.5", "1:05 PM", also behind a date, in s; NAN: no clock. minutes: of two fields the first has minutes, not
- * hours, as it has where the second has a fraction, "05:07.5". */
+/* Reads "10:31:07.5", "1:05 PM", also after a date, in s; NAN: not a clock. minutes: the first of two fields is
+ * minutes, not hours, as it is if the second has a fraction, "05:07.5". */
 static double cell_clock(const char *cell, int minutes)
 {
     const char *const colon = strchr(cell, ':');
@@ -348,7 +348,7 @@ static double cell_clock(const char *cell, int minutes)
 
 /* ----------------------------------------------------------------------------------------------------------- dates */
 
-/* 1 to 12 for the name of a month, English or German, by its first three letters; 0: it is none. */
+/* Number of a month, 1 to 12, by the first three letters of its English or German name; 0: none. */
 static int month_of(const char *word)
 {
     static const char *const names[] = {"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug",
@@ -360,7 +360,7 @@ static int month_of(const char *word)
     return 0;
 }
 
-/* Days of the calendar up to a date; NAN: there is none such. */
+/* Calendar days up to a date; NAN: there is no such date. */
 static double days_of(int year, int month, int day)
 {
     static const int before[] = {0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334, 365};
@@ -371,8 +371,8 @@ static double days_of(int year, int month, int day)
     return 365.0 * y + y / 4 - y / 100 + y / 400 + before[month - 1] + (leap && month > 2) + day;
 }
 
-/* The day of a date such as 2026-11-26, 26.11.2026, 26-Nov-2026, 20261126, or 11/26/2026 and 26/11/2026, of which
- * month_first tells what the first is. NAN: it is none. */
+/* Day of a date such as 2026-11-26, 26.11.2026, 26-Nov-2026, 20261126, or 11/26/2026 and 26/11/2026, for which
+ * month_first gives the order. NAN: not a date. */
 static double date_days(const char *text, int month_first)
 {
     int number[3], n = 0, month = 0, digits[3], point = 0;
@@ -402,10 +402,10 @@ static double date_days(const char *text, int month_first)
     return days_of(number[2], number[0], number[1]);
 }
 
-/* How dates fit an order of day and month. */
+/* Agreement of dates with an order of day and month. */
 typedef struct DateFit {
     long read, falls;
-    double first, span; /* the first day; from the least to the largest */
+    double first, span; /* the first day; days from the least to the largest */
 } DateFit;
 
 static DateFit dates_fit(long n, const char *const *date, int month_first)
@@ -427,13 +427,13 @@ static DateFit dates_fit(long n, const char *const *date, int month_first)
 
 /* -------------------------------------------------------------------------------------------------------- midnights */
 
-/* Where clocks have come to. */
+/* Progress of the clock. */
 typedef struct Course {
-    double last, offset; /* s: the last time that goes on; what clocks are behind */
+    double last, offset; /* s: the last valid time; offset of the clock */
     long midnights, halves;
 } Course;
 
-/* Whether the clock behind reading i goes on from the last time and not from reading i. */
+/* Checks whether the time after reading i continues the last time but not reading i. */
 static int is_astray(const PullLog *log, const Course *c, long i)
 {
     const double t = c->offset + log->time[i];
@@ -444,7 +444,7 @@ static int is_astray(const PullLog *log, const Course *c, long i)
     return next >= c->last && next - c->last < FALL && (t < c->last - FALL || t > next + FALL);
 }
 
-/* A clock that has fallen goes on behind midnight, one of twelve hours behind noon, one of minutes behind the hour. */
+/* Moves a clock that has fallen past midnight, a twelve-hour clock past noon, one of minutes past the hour. */
 static void course_go_on(Course *c, double clock, int minutes)
 {
     const double fall = c->last - c->offset - clock;
@@ -460,7 +460,7 @@ static void course_go_on(Course *c, double clock, int minutes)
     }
 }
 
-/* What has been made of the clock. */
+/* Reports the interpretation of the clock. */
 static void course_say(const Course *c, PullLog *log)
 {
     if (c->midnights > 0)
@@ -469,9 +469,9 @@ static void course_say(const Course *c, PullLog *log)
         log_say(log, "The clock is taken for one of twelve hours: times it falls by them and goes on: %ld", c->halves);
 }
 
-/* Days that log->time, which has clocks, and date[n] ("" where there is none, or what stands before the clock) tell:
- * times go on over midnights, by the dates if they change, else by falls of the clock. A stamp that the next one does
- * not go on from is left where it is. minutes: as above, then by hours. Errors: MEMORY. */
+/* Adds days to log->time, which has clocks, by date[n] ("" if there is none, or text before the clock): times continue
+ * over midnights, by the dates if they change, else by falls of the clock. A stamp that the next one does not continue
+ * is left unchanged. minutes: as above, then by hours. Errors: MEMORY. */
 static hawser_status clocks_go_on(PullLog *log, const char *const *date, int minutes, hawser_error *err)
 {
     double *const time = malloc(((size_t)log->n + 1) * sizeof *time);
@@ -504,10 +504,10 @@ static hawser_status clocks_go_on(PullLog *log, const char *const *date, int min
     return HAWSER_OK;
 }
 
-/* The head of a logger's file: words of many languages, and units that stand anywhere in a name or below it. */
+/* The head of a logger's file: words of many languages, and units anywhere in a name or below it. */
 
-/* Words with blanks around each: such as can only be this, and such as another word beside them explains: "pull speed"
- * is a speed. */
+/* Words with blanks around each: unambiguous ones, and vague ones that another word may override: "pull speed" is a
+ * speed. */
 static const struct {
     const char *name;
     Dimension dimension;
@@ -523,11 +523,12 @@ static const struct {
     {"date", DIM_NONE, " date datum fecha ", " "},
 };
 
-/* Of several forces that of the winch; of several columns none of what was wanted, or of extremes. */
+/* Words that mark the winch's force among several forces; words for setpoints and extremes, which are avoided among
+ * several columns. */
 static const char rather[] = " winch pull zugkraft winde ",
                   rather_not[] = " setpoint set target soll sollwert command limit alarm max maximum peak average ";
 
-/* The next word of a name in small letters; *at moves behind it. 0: there is none. */
+/* Reads the next word of a name in lower case and advances *at. Returns 0 if there is none. */
 static int word_next(const char **at, char word[WORD_MAX])
 {
     size_t n = 0;
@@ -538,7 +539,7 @@ static int word_next(const char **at, char word[WORD_MAX])
     return n > 0;
 }
 
-/* Whether one of a name's words is in a list. */
+/* Checks whether one of a name's words is in a list. */
 static int has_word(const char *name, const char *list)
 {
     char word[WORD_MAX], framed[WORD_MAX + 2];
@@ -549,7 +550,7 @@ static int has_word(const char *name, const char *list)
     return 0;
 }
 
-/* Units by other names than a case takes, whatever their letters; loggers weigh forces. */
+/* Other names for units of a case, in either case of letters; loggers give forces as weights. */
 static const struct UnitName {
     const char *name, *unit;
     double times;
@@ -567,7 +568,7 @@ static const struct UnitName {
     {"kilometer", "km", 1}, {"kilometers", "km", 1},
 };
 
-/* The entry of a word; NULL: there is none. */
+/* Entry of a word; NULL: there is none. */
 static const struct UnitName *unit_name_of(const char *word, size_t length)
 {
     for (size_t k = 0; k < sizeof unit_names / sizeof *unit_names; k++) {
@@ -577,7 +578,7 @@ static const struct UnitName *unit_name_of(const char *word, size_t length)
     return NULL;
 }
 
-/* Whether a force is weighed in tonnes. */
+/* Checks for a force in tonnes. */
 static int is_tonne(const char *unit)
 {
     static const char *const names[] = {"t", "to", "tonne", "tonnes", "tonnen"};
@@ -587,7 +588,7 @@ static int is_tonne(const char *unit)
     return 0;
 }
 
-/* How many SI units a unit of a kind is; 0: it is none. */
+/* Factor from a unit to SI for a kind; 0: not a unit of it. */
 static double unit_scale(const Units *u, const char *unit, LogColumn kind)
 {
     char text[2 * UNIT_TEXT_MAX + 8] = "1 ", why[UNITS_WHY_MAX];
@@ -611,7 +612,7 @@ static double unit_scale(const Units *u, const char *unit, LogColumn kind)
     return units_read(u, text, kinds[kind].dimension, &scale, why) && scale > 0 ? times * scale : 0;
 }
 
-/* A text without blanks around it, and no more than n of it. */
+/* Copies at most n bytes of a text without surrounding blanks. */
 static void unit_trim(const char *text, size_t n, char unit[UNIT_TEXT_MAX])
 {
     while (n > 0 && *text == ' ') text++, n--;
@@ -621,7 +622,8 @@ static void unit_trim(const char *text, size_t n, char unit[UNIT_TEXT_MAX])
 
 static const char parts[] = "_ /-,:";
 
-/* The unit among a name's words: its end from some word on, "per" a "/"; else one word, "length_ft_raw". 0: none. */
+/* Scale of the unit among a name's words: its end from some word on, with "per" as "/"; else one word, "length_ft_raw".
+ * 0: none. */
 static double words_scale(const Units *u, const char *name, LogColumn kind)
 {
     char unit[UNIT_TEXT_MAX] = "";
@@ -645,8 +647,8 @@ static double words_scale(const Units *u, const char *name, LogColumn kind)
     return last;
 }
 
-/* The unit in a name: in the last of its brackets that has one, behind "/" or "in", or among its words. 0: there is
- * none; -1: what stands there as `unit` is none that is known. */
+/* Scale of the unit in a name: in the last of its brackets that has one, after "/" or "in", or among its words. 0:
+ * there is none; -1: the text in `unit` is an unknown unit. */
 static double head_scale(const Units *u, const char *name, LogColumn kind, char unit[UNIT_TEXT_MAX])
 {
     double found = 0;
@@ -668,7 +670,7 @@ static double head_scale(const Units *u, const char *name, LogColumn kind, char 
     return found > 0 ? found : -1;
 }
 
-/* Whether the words of a name are a kind's, and what stands as its unit does not contradict that. */
+/* Checks whether a name has words of a kind, and no unit that contradicts it. */
 static int is_kind(const Units *u, const char *name, int kind, const char *words, int with_unit)
 {
     char unit[UNIT_TEXT_MAX];
@@ -676,7 +678,7 @@ static int is_kind(const Units *u, const char *name, int kind, const char *words
     return !with_unit || (kind != OF_DATE && head_scale(u, name, (LogColumn)kind, unit) > 0);
 }
 
-/* What a name is: words that can only be that and have its unit, vague words with their unit, the same without. */
+/* Finds the kind of a name: by unambiguous words with their unit, vague words with their unit, then both without. */
 static int kind_of(const Units *u, const char *name)
 {
     for (int pass = 0; pass < 4; pass++) {
@@ -705,7 +707,7 @@ int head_columns(const Units *u, int n, char *const *name, int column[LOG_COLUMN
     return column[OF_FORCE] >= 0 && (column[OF_TIME] >= 0 || column[OF_LENGTH] >= 0 || column[OF_DATE] >= 0);
 }
 
-/* What a column's unit may be. */
+/* Refuses a column's unit and lists the possible ones. */
 static hawser_status unit_refuse(const LogHead *h, LogColumn kind, const char *unit, const char *place,
                                  hawser_error *err)
 {
@@ -718,7 +720,7 @@ static hawser_status unit_refuse(const LogHead *h, LogColumn kind, const char *u
                      place, h->name[h->column[kind]], has, kinds[kind].name, example[kind], known[kind]);
 }
 
-/* Whether a head or a unit says "mm:ss". */
+/* Checks for "mm:ss" in a head or a unit. */
 static int says_minutes(const char *text)
 {
     const char *const colon = strchr(text, ':');
@@ -726,15 +728,15 @@ static int says_minutes(const char *text)
     return (before == 'm' || before == 'n') && tolower((unsigned char)colon[1]) == 's';
 }
 
-/* Whether the head or the row of units says that times are "mm:ss". */
+/* Checks whether the head or the row of units gives times as "mm:ss". */
 static int head_has_minutes(const LogHead *h)
 {
     const int c = h->column[OF_TIME];
     return c >= 0 && (says_minutes(h->name[c]) || (c < h->units && says_minutes(h->unit[c])));
 }
 
-/* What stands below a name in the row of units: its scale, 0 where it is no unit; `below`, "" before, is its text if it
- * is no number and no clock. */
+/* Scale from the row of units below a name, 0 if there is no unit; `below` ("" on entry) is its text unless that is a
+ * number or a clock. */
 static double below_scale(const Units *u, const LogHead *h, LogColumn kind, char below[UNIT_TEXT_MAX])
 {
     Marks marks = {.plain = 0};
@@ -745,7 +747,8 @@ static double below_scale(const Units *u, const LogHead *h, LogColumn kind, char
     return unit_scale(u, below, kind);
 }
 
-/* A name with a unit and what stands below it: another unit is an error, a word is said, for the name may be none. */
+/* Compares the unit in a name with the text below it: another unit is an error; another word is only reported, since it
+ * may not be a unit. */
 static hawser_status units_agree(const LogHead *h, LogColumn kind, const char *below, double scale, const char *place,
                                  PullLog *log, hawser_error *err)
 {
@@ -761,8 +764,8 @@ static hawser_status units_agree(const LogHead *h, LogColumn kind, const char *b
     return HAWSER_OK;
 }
 
-/* The scale of a column from its name, or the row of units; clock: a time's unit is not needed. `place` is the head's
- * "file:line". Errors: INPUT (a force or speed without a unit, a unit that is not known). */
+/* Finds the scale of a column from its name, or the row of units; clock: a time needs no unit. `place` is the head's
+ * "file:line". Errors: INPUT (a force or speed without a unit, an unknown unit). */
 static hawser_status head_unit(const Units *u, LogHead *h, LogColumn kind, int clock, const char *place, PullLog *log,
                                hawser_error *err)
 {
@@ -780,12 +783,12 @@ static hawser_status head_unit(const Units *u, LogHead *h, LogColumn kind, int c
     return HAWSER_OK;
 }
 
-/* A logger's CSV: any of the usual separators, decimal commas, marks between thousands, lines before the head, units in
+/* A logger's CSV: any of the usual separators, decimal commas, thousands marks, lines before the head, units in
  * the head or below it, times as numbers or as a clock with or without dates. */
 
 enum { HEAD_WITHIN = 100 };
 
-/* A row of readings: "" where it has no cell. */
+/* A row of readings: "" for a missing cell. */
 typedef struct LogRow {
     int line;
     const char *cell[LOG_COLUMNS];
@@ -801,14 +804,14 @@ typedef struct Reader {
     LogHead head;
     LogRow *row;
     long rows;
-    int thousands[LOG_COLUMNS][2]; /* whether points, commas that may be decimal stand between thousands */
-    int clock, minutes;            /* times are a clock; of which two fields are minutes and seconds */
+    int thousands[LOG_COLUMNS][2]; /* whether points, commas that may be decimal are thousands marks */
+    int clock, minutes;            /* times are a clock; two fields are minutes and seconds */
     hawser_error *err;
 } Reader;
 
 /* ------------------------------------------------------------------------------------------------------------ rows */
 
-/* Whether a line is a head, by its own separator, which becomes the file's. */
+/* Checks whether a line is a head, by its own separator, which becomes the file's. */
 static int head_take(Reader *r, char *line, const char *rest)
 {
     char *cell[CELLS_MAX];
@@ -822,7 +825,7 @@ static int head_take(Reader *r, char *line, const char *rest)
     return 1;
 }
 
-/* Whether a row among the readings is a head once more. Errors: INPUT if it is another one. */
+/* Checks whether a row among the readings repeats the head. Errors: INPUT if it is another head. */
 static hawser_status head_again(Reader *r, int *again)
 {
     int column[LOG_COLUMNS];
@@ -836,7 +839,8 @@ static hawser_status head_again(Reader *r, int *again)
                      case_place(r->path, r->line, place), h->line);
 }
 
-/* A row of as many cells as the head, or fewer. Errors: INPUT, for a comma may be decimal and separate nothing. */
+/* Checks that a row has at most as many cells as the head. Errors: INPUT, since a comma may be decimal and not a
+ * separator. */
 static hawser_status row_check(const Reader *r)
 {
     char place[CASE_PLACE_MAX];
@@ -861,7 +865,7 @@ static void row_take(Reader *r)
     }
 }
 
-/* A line below a head: a better head, units, or readings. */
+/* Reads a line below a head: a better head, units, or readings. */
 static hawser_status line_take(Reader *r, char *line, const char *rest)
 {
     LogHead *const h = &r->head;
@@ -883,7 +887,7 @@ static hawser_status line_take(Reader *r, char *line, const char *rest)
     return status;
 }
 
-/* All lines: what stands before the head, head, units, readings. */
+/* Reads all lines: text before the head, head, units, readings. */
 static hawser_status lines_read(Reader *r, char *text)
 {
     char *line, place[CASE_PLACE_MAX];
@@ -909,7 +913,7 @@ static hawser_status lines_read(Reader *r, char *text)
 
 /* ----------------------------------------------------------------------------------------------------------- clock */
 
-/* Whether times are a clock, as most of them are; a date that holds the time is one. */
+/* Decides whether times are a clock, by the majority; a date that includes the time counts as one. */
 static void clock_find(Reader *r, PullLog *log)
 {
     int *const column = r->head.column;
@@ -938,7 +942,7 @@ static void clock_find(Reader *r, PullLog *log)
             first);
 }
 
-/* The units of all columns. */
+/* Finds the units of all columns. */
 static hawser_status units_find(Reader *r, PullLog *log)
 {
     char place[CASE_PLACE_MAX];
@@ -954,8 +958,8 @@ static hawser_status units_find(Reader *r, PullLog *log)
 
 /* ----------------------------------------------------------------------------------------------------------- marks */
 
-/* What a mark is that each cell of a column leaves open: 0 decimal, 1 between thousands, -1: nothing tells, -2: it is
- * both. k: 0 the point, 1 the comma; all: the marks of the whole file. */
+/* Role of a mark that is ambiguous in each cell of a column: 0 decimal, 1 thousands, -1: undecided, -2: contradictory.
+ * k: 0 the point, 1 the comma; all: the marks of the whole file. */
 static int mark_is(const Marks *m, const Marks *all, int k)
 {
     const int decimal = m->decimal[k] > 0, thousands = m->thousands[k] > 0 || m->decimal[!k] > 0;
@@ -966,8 +970,8 @@ static int mark_is(const Marks *m, const Marks *all, int k)
     return decimals != between ? between : -1;
 }
 
-/* The marks of a column by its other cells, else by the other columns; where these say nothing and each cell has one,
- * they are decimal. Errors: INPUT, where both may be. */
+/* Decides the marks of a column by its other cells, else by the other columns; if these leave it open and each cell has
+ * one, they are decimal. Errors: INPUT, if both are possible. */
 static hawser_status marks_decide(Reader *r, LogColumn kind, const Marks *m, const Marks *all, PullLog *log)
 {
     char place[CASE_PLACE_MAX];
@@ -990,7 +994,7 @@ static hawser_status marks_decide(Reader *r, LogColumn kind, const Marks *m, con
     return HAWSER_OK;
 }
 
-/* What points and commas are, in all columns. */
+/* Decides the roles of points and commas in all columns. */
 static hawser_status marks_find_all(Reader *r, PullLog *log)
 {
     Marks marks[OF_DATE] = {{.plain = 0}}, all = {.plain = 0};
@@ -1018,7 +1022,7 @@ static double row_value(const Reader *r, long i, LogColumn kind)
     return log_cell_number(r->units, cell, r->thousands[kind]) * r->head.scale[kind];
 }
 
-/* Forces with digits that are no numbers are not lost in silence. Errors: INPUT, if most are so. */
+/* Reports forces that have digits but are not numbers. Errors: INPUT, if most are so. */
 static hawser_status forces_check(const Reader *r, PullLog *log)
 {
     char place[CASE_PLACE_MAX];
@@ -1038,7 +1042,7 @@ static hawser_status forces_check(const Reader *r, PullLog *log)
     return HAWSER_OK;
 }
 
-/* Times of a clock go on over midnights. */
+/* Continues times of a clock over midnights. */
 static hawser_status days_add(const Reader *r, PullLog *log)
 {
     const char **const date = malloc(((size_t)r->rows + 1) * sizeof *date);
@@ -1065,7 +1069,7 @@ static hawser_status log_alloc(PullLog *log, long n, hawser_error *err)
                                                                                          : error_memory(err);
 }
 
-/* Numbers out of all cells. */
+/* Converts all cells to numbers. */
 static hawser_status readings_take(Reader *r, PullLog *log)
 {
     clock_find(r, log);

@@ -9,8 +9,9 @@
 
 double normal_share(double z) { return 0.5 * erfc(-z * M_SQRT1_2); }
 
-/* A rational start (M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.2.23; off by 4.5e-4), then
- * Halley's steps, each of which cubes the error. They work on the smaller tail, where shares keep their digits. */
+/* Begins with a rational approximation (M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.2.23; off
+ * by 4.5e-4), then takes Halley's steps, each of which cubes the error. It works on the smaller tail, where shares keep
+ * their digits. */
 double normal_quantile(double p)
 {
     const int upper = p > 0.5;
@@ -23,8 +24,8 @@ double normal_quantile(double p)
     return upper ? -z : z;
 }
 
-/* The normal score of the share u of what is left between low and high, which are scores themselves. Worked on the side
- * where shares are small. */
+/* Normal score at the share u of the probability between low and high, which are scores themselves. It works on the
+ * side where shares are small. */
 static double score_between(double low, double high, double u)
 {
     if (isinf(low) && isinf(high)) return normal_quantile(u);
@@ -70,7 +71,7 @@ double distribution_quantile(const Distribution *d, double u)
     return discrete(d->n, d->weight, u);
 }
 
-/* Cholesky's. */
+/* Computes Cholesky's factor. */
 int correlation_factor(int n, const double *r, double *l)
 {
     for (int i = 0; i < n; i++) {
@@ -84,7 +85,7 @@ int correlation_factor(int n, const double *r, double *l)
     return -1;
 }
 
-/* Rounding must not reach 0 or 1, whose quantiles are infinite. */
+/* Applies the correlations. Rounding must not reach 0 or 1, whose quantiles are infinite. */
 void correlation_apply(int n, const double *l, double *u, double *z)
 {
     for (int i = 0; i < n; i++) z[i] = normal_quantile(u[i]);
@@ -104,13 +105,13 @@ Share share_of(long hits, long n)
     if (n <= 0) return (Share){NAN, NAN, NAN};
     const double middle = (p + z2 / (2 * N)) / (1 + z2 / N);
     const double half = TWO_SIDED / (1 + z2 / N) * sqrt(p * (1 - p) / N + z2 / (4 * N * N));
-    /* at the ends it is exact that the interval touches them */
+    /* the interval includes the ends exactly */
     return (Share){p, hits == 0 ? 0 : middle - half, hits == n ? 1 : middle + half};
 }
 
 Share share_percent(Share s) { return (Share){100 * s.value, 100 * s.low, 100 * s.high}; }
 
-/* The mean first, then the squares about it: no digits are lost to a large mean. */
+/* Computes the mean first, then the squares about it, so that a large mean costs no digits. */
 Spread spread_of(int n, const double *x)
 {
     Spread s = {.mean = NAN, .sd = NAN, .least = NAN, .most = NAN, .mean_error = NAN};
@@ -154,7 +155,7 @@ int sort_finite(int n, double *x)
     return kept;
 }
 
-/* Philox-4x32: multipliers, and what the key grows by each round. */
+/* Philox-4x32: multipliers, and the increment of the key per round. */
 static const uint32_t MULTIPLY[2] = {0xD2511F53u, 0xCD9E8D57u}, WEYL[2] = {0x9E3779B9u, 0xBB67AE85u};
 
 enum { ROUNDS = 10 };
@@ -172,14 +173,14 @@ RandomWords random_words(uint64_t key, const uint32_t counter[4])
     return x;
 }
 
-/* The counter of a use and two numbers. i of more than 32 bits and j share nothing. */
+/* Words for a use and two numbers. Counters of i with more than 32 bits and of j do not overlap. */
 static RandomWords words_of(uint64_t seed, RandomUse use, uint64_t i, uint32_t j)
 {
     const uint32_t counter[4] = {(uint32_t)i, (uint32_t)(i >> 32), j, (uint32_t)use};
     return random_words(seed, counter);
 }
 
-/* Half a step above the lower end, so that neither 0 nor 1 comes. */
+/* Offset by half a step, so that neither 0 nor 1 occurs. */
 double random_uniform(uint64_t seed, RandomUse use, uint64_t i, uint32_t j)
 {
     const RandomWords w = words_of(seed, use, i, j);
@@ -187,8 +188,8 @@ double random_uniform(uint64_t seed, RandomUse use, uint64_t i, uint32_t j)
     return ((double)bits + 0.5) * 0x1p-52;
 }
 
-/* A Feistel cipher over the least even number of bits that hold n, walked until it comes back below n: a permutation of
- * 0 ... n-1 (J. Black, P. Rogaway, "Ciphers with arbitrary finite domains", 2002). */
+/* Permutes 0 ... n-1: a Feistel cipher over the least even number of bits that hold n, iterated until it is below n
+ * again (J. Black, P. Rogaway, "Ciphers with arbitrary finite domains", 2002). */
 uint64_t random_order(uint64_t seed, uint32_t which, uint64_t i, uint64_t n)
 {
     enum { FEISTEL = 6 };
@@ -209,8 +210,8 @@ uint64_t random_order(uint64_t seed, uint32_t which, uint64_t i, uint64_t n)
     return i;
 }
 
-/* Owen's scrambling (PO4): each digit is flipped or not by a coin that the digits before it choose. Their number is
- * part of the coin, for 0 and 00 are different beginnings. */
+/* Owen's scrambling (PO4): each digit is flipped by a random bit that depends on the digits before it and on their
+ * number, since 0 and 00 are different beginnings. */
 static uint32_t scramble(uint64_t seed, uint32_t digits, int j)
 {
     uint32_t out = 0;
@@ -240,16 +241,16 @@ double points_at(PointKind kind, uint64_t seed, uint64_t i, uint64_t n, int j)
 
 /* ------------------------------------------------------------------------------------------------------- Morris */
 
-/* Of trajectory t: which coordinate is changed in step k, 0 <= k < d. */
+/* Coordinate of trajectory t that changes in step k, 0 <= k < d. */
 static int morris_axis(uint64_t seed, uint64_t t, int d, int k)
 {
     return (int)random_order(seed ^ (t + 1) * 0x9E3779B97F4A7C15u, (uint32_t)(1 << 20), (uint64_t)k, (uint64_t)d);
 }
 
-/* Half the levels apart, so that every level is met as often as any other (Morris' choice). */
+/* Step of half the levels, so that all levels occur equally often (Morris' choice). */
 static const double MORRIS_STEP = MORRIS_LEVELS / 2 / (MORRIS_LEVELS - 1.0);
 
-/* +1 or -1: which way coordinate j of trajectory t goes; *from: where it begins, on the grid (SE1). */
+/* Direction +1 or -1 of coordinate j of trajectory t; *from: its start, on the grid (SE1). */
 static int morris_way(uint64_t seed, uint64_t t, int j, double *from)
 {
     const double coin = random_uniform(seed, RANDOM_MORRIS, t, (uint32_t)(2 * j));
@@ -307,14 +308,14 @@ void sobol_design_point(uint64_t seed, uint64_t i, int d, double *u)
 
 enum { RESAMPLES = 500 };
 
-/* The blocks that count: y of A and B and each of the d others, and which of them a resample takes. */
+/* Complete blocks: y of A and B and each of the d others, and the selection of a resample. */
 typedef struct Blocks {
     int d, n;
     const double **row; /* [n] of d+2 values */
     int *take;          /* [n] */
 } Blocks;
 
-/* The variance over A and B together, then (SE4) and (SE5) for parameter j, of the blocks that are taken. */
+/* Computes the variance over A and B together, then (SE4) and (SE5) for parameter j, from the selected blocks. */
 static void indices_of(const Blocks *b, int j, double *first, double *total)
 {
     double mean = 0, variance = 0, to_b = 0, to_a = 0;
@@ -329,7 +330,7 @@ static void indices_of(const Blocks *b, int j, double *first, double *total)
     *total = variance > 0 ? to_a / variance : NAN;
 }
 
-/* Percentiles of many resamples of the blocks, with replacement. */
+/* Computes percentiles of many resamples of the blocks, with replacement. */
 static void bootstrap(uint64_t seed, Blocks *b, int j, double *first, double *total, SobolIndex *index)
 {
     for (uint32_t r = 0; r < RESAMPLES; r++) {
@@ -345,7 +346,7 @@ static void bootstrap(uint64_t seed, Blocks *b, int j, double *first, double *to
     index->total_high = quantile_of_sorted(m, total, 0.975);
 }
 
-/* The blocks of which all is known. */
+/* Finds the complete blocks. */
 static void blocks_find(int n, const double *y, Blocks *b)
 {
     for (int k = 0; k < n; k++) {
@@ -377,7 +378,7 @@ int sobol_indices(uint64_t seed, int d, int n, const double *y, SobolIndex *inde
     return counted;
 }
 
-/* Sobol's sequence. The first dimension is van der Corput's; those that follow go by primitive polynomials and initial
+/* Sobol's sequence. The first dimension is van der Corput's; the others use primitive polynomials and initial
  * direction numbers of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections",
  * SIAM J. Sci. Comput. 30 (2008) 2635-2654: the first 64 dimensions of their file new-joe-kuo-6.21201
  * (web.maths.unsw.edu.au/~fkuo/sobol; copyright and licence: NOTICE). */
@@ -459,7 +460,7 @@ static const Direction direction[SOBOL_DIMENSIONS - 1] = { /* dimensions 2 to 64
 
 /* clang-format on */
 
-/* v_k as 32 binary digits, k from 1: m_k / 2^k, later ones by (PO3). */
+/* Computes v_k as 32 binary digits, k from 1: m_k / 2^k, later ones by (PO3). */
 static void direction_numbers(const Direction *d, uint32_t v[33])
 {
     const int s = (int)d->degree;
@@ -486,16 +487,16 @@ uint32_t sobol_digits(uint32_t i, int j)
     return x;
 }
 
-/* A share of a search's points that the evolution has; the neighbours of the best one get the rest. */
+/* Share of a search's points for the evolution; the rest is for neighbours of the best point. */
 static const double EVOLVED = 0.6;
 
-/* Sides of the box: the first steps from a start, and from the best point of an evolution. */
+/* Shares of the box's sides: the first steps from a start, and from the best point of an evolution. */
 static const double FIRST_STEP = 0.2, LATER_STEP = 0.05;
 
-/* Calls of NLopt's for each point that is new: with whole numbers most are known. */
+/* Calls of NLopt per new point: with whole numbers most points are known. */
 enum { CALLS = 50, RANDOM_MIN = 20, RANDOM_A_SIDE = 8, RANDOM_SIDES_MAX = 12, BROKEN_ALL = 1 };
 
-/* A search: all points so far, in a table by their bits. */
+/* State of a search: all points so far, in a hash table by their bits. */
 typedef struct Search {
     const SearchBox *box;
     const SearchPlan *plan;
@@ -504,19 +505,19 @@ typedef struct Search {
     nlopt_opt running; /* to be stopped; NULL: none */
     int over;          /* no more points */
     int failed;        /* no memory */
-    long n, bound;     /* points; those that this stage may have */
+    long n, bound;     /* number of points; bound of this stage */
     long room;         /* of `place`, a power of 2 */
     long *place;       /* [room] number of a point, -1: none */
     double *x;         /* [evaluations * box->n] */
     double *value;     /* [evaluations] */
     double *broken;    /* [evaluations * constraints] */
-    double *sum;       /* [evaluations] of (SR1) */
+    double *sum;       /* [evaluations] by (SR1) */
     long best;         /* -1: none */
-    double worst;      /* value so far */
-    double scale;      /* size of the first value: NLopt sees values over it */
-    int *side;         /* [sides] of the box, those that NLopt moves */
+    double worst;      /* largest value so far */
+    double scale;      /* size of the first value: NLopt works with values divided by it */
+    int *side;         /* [sides] of the box, those that NLopt varies */
     int sides;
-    double *at; /* [box->n] a point; sides that NLopt does not move stay as they are */
+    double *at; /* [box->n] a point; sides that NLopt does not vary stay unchanged */
 } Search;
 
 double search_broken(double value, const double *broken, int n)
@@ -563,7 +564,7 @@ const char *search_version(char text[32])
 
 /* ---------------------------------------------------------------------------------------------------------- points */
 
-/* Where in the table the point is, or would be. */
+/* Place of the point in the table, used or free. */
 static long *place_of(const Search *s, const double *x)
 {
     const size_t size = (size_t)s->box->n * sizeof *x;
@@ -574,7 +575,7 @@ static long *place_of(const Search *s, const double *x)
     return &s->place[k];
 }
 
-/* The number of the point at x[n], which is asked for if it is new; -1: there are no more. */
+/* Number of the point at x[n], which is evaluated if it is new; -1: no more points are allowed. */
 static long point_at(Search *s, const double *x)
 {
     const int n = s->box->n, m = s->plan->constraints;
@@ -602,7 +603,7 @@ static long point_at(Search *s, const double *x)
 
 /* ----------------------------------------------------------------------------------------------------------- NLopt */
 
-/* Coordinates u of the unit cube as the point s->at; of whole numbers each has an equal share of the side. */
+/* Evaluates coordinates u of the unit cube as the point s->at; each whole number has an equal share of the side. */
 static long point_of_unit(Search *s, const double *u)
 {
     const SearchBox *const b = s->box;
@@ -617,7 +618,7 @@ static long point_of_unit(Search *s, const double *u)
     return i;
 }
 
-/* A point without a value is as bad as the worst, and breaks all constraints. */
+/* Value for NLopt. A point without a value counts as the worst, with all constraints broken. */
 static double value_of_unit(unsigned n, const double *u, double *gradient, void *user)
 {
     Search *const s = user;
@@ -635,7 +636,7 @@ static void broken_of_unit(unsigned m, double *broken, unsigned n, const double 
     for (unsigned k = 0; k < m; k++) broken[k] = i < 0 || isnan(s->value[i]) ? BROKEN_ALL : s->broken[i * (long)m + k];
 }
 
-/* Runs an algorithm over the sides s->side from s->at. Whatever ends it, its points are in the table. */
+/* Runs an algorithm over the sides s->side from s->at. However it ends, its points are in the table. */
 static void stage_run(Search *s, nlopt_algorithm algorithm, double step, unsigned population)
 {
     double u[256], tolerance[256] = {0};
@@ -664,7 +665,7 @@ static void stage_run(Search *s, nlopt_algorithm algorithm, double step, unsigne
     s->running = NULL;
 }
 
-/* The sides that are numbers, or all that can be moved. */
+/* Selects the continuous sides, or all that can vary. */
 static void sides_find(Search *s, int with_whole)
 {
     s->sides = 0;
@@ -675,7 +676,7 @@ static void sides_find(Search *s, int with_whole)
 
 /* ------------------------------------------------------------------------------------------------------- neighbours */
 
-/* Asks for the best point with some whole numbers moved; whether it is better than that. */
+/* Evaluates the best point with some whole numbers changed; returns whether it is better. */
 static int neighbour_is_better(Search *s, int j, double by, int other, double other_by)
 {
     const SearchBox *const b = s->box;
@@ -688,7 +689,8 @@ static int neighbour_is_better(Search *s, int j, double by, int other, double ot
     return point_at(s, s->at) >= 0 && s->best != before;
 }
 
-/* One whole number by 1 or 2 either way, then one up while another goes down: the first that is better. */
+/* Changes one whole number by 1 or 2 in either direction, then one up and another down; takes the first that is better.
+ */
 static int neighbours_step(Search *s)
 {
     static const double moves[] = {-1, 1, -2, 2};
@@ -706,7 +708,8 @@ static int neighbours_step(Search *s)
     return 0;
 }
 
-/* From the best point: its whole neighbours, then its numbers by linear models, until neither finds a better one. */
+/* Improves the best point alternately by whole neighbours and by linear models of its continuous numbers, until neither
+ * finds a better one. */
 static void neighbours_search(Search *s)
 {
     s->bound = s->plan->evaluations;
@@ -723,7 +726,7 @@ static void neighbours_search(Search *s)
 
 /* ---------------------------------------------------------------------------------------------------------- methods */
 
-/* The first search begins where the user says, others at Sobol points. */
+/* Finds the start of a search: the first begins at the user's point, others at Sobol points. */
 static void start_find(Search *s)
 {
     const SearchBox *const b = s->box;
@@ -752,7 +755,8 @@ static void random_search(Search *s)
     neighbours_search(s);
 }
 
-/* Every point whose number is that of this search over the number of searches; the last side changes fastest. */
+/* Evaluates every point of this search, the numbers congruent to its own modulo the number of searches; the last side
+ * changes fastest. */
 static void all_search(Search *s)
 {
     const SearchBox *const b = s->box;
@@ -803,24 +807,24 @@ int search_run(const SearchBox *box, const SearchPlan *plan, SearchTry try, void
     return ok;
 }
 
-/* Damping of the first step, and where it gives up. */
+/* Damping of the first step, and of the last attempt. */
 static const double DAMPING = 1e-3, DAMPING_MAX = 1e8;
 
-/* A fit on its way, over the unit cube u = (x - from)/(to - from). */
+/* State of a fit over the unit cube u = (x - from)/(to - from). */
 typedef struct Fit {
     const FitPlan *plan;
     FitTry try;
     void *user;
-    int evaluations, over, failed; /* over: no more of them; failed: no residuals where they are needed */
+    int evaluations, over, failed; /* over: no more evaluations; failed: required residuals are missing */
     double u[FIT_MAX], cost;
     double *r, *other, *J; /* [m], [m], [n][m] columns */
     int free[FIT_MAX], n_free;
-    double s[FIT_MAX], V[FIT_MAX][FIT_MAX]; /* of J over the free ones: J V = U S, U in J's place */
+    double s[FIT_MAX], V[FIT_MAX][FIT_MAX]; /* of J over the free parameters: J V = U S, U in J's place */
 } Fit;
 
 double student_95(double v)
 {
-    /* the end of the series that follows is bad there */
+    /* the series below is inaccurate for these */
     static const double few[] = {12.706204736, 4.302652730, 3.182446305, 2.776445105, 2.570581836};
     const double z = 1.959963984540054, z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
     if (v < 5) {
@@ -831,7 +835,7 @@ double student_95(double v)
            (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * v * v * v);
 }
 
-/* Residuals at u into r; their sum of squares, INFINITY where there are none. */
+/* Computes residuals at u; returns their sum of squares, INFINITY if there are none. */
 static double cost_at(Fit *f, const double *u, double *r)
 {
     const FitPlan *const p = f->plan;
@@ -848,7 +852,7 @@ static double cost_at(Fit *f, const double *u, double *r)
     return known > 0 && isfinite(sum) ? sum : INFINITY;
 }
 
-/* J by central differences, at a bound by one-sided ones. Returns 0 where that cannot be done. */
+/* Computes J by central differences, at a bound by one-sided ones. Returns 0 if that fails. */
 static int jacobian(Fit *f)
 {
     const int n = f->plan->n, m = f->plan->m;
@@ -869,7 +873,7 @@ static int jacobian(Fit *f)
     return 1;
 }
 
-/* The parameters that are not at a bound beyond which the cost falls. */
+/* Finds the free parameters: those not at a bound beyond which the cost falls. */
 static void free_find(Fit *f)
 {
     const int m = f->plan->m;
@@ -889,8 +893,7 @@ static double dot(int m, const double *a, const double *b)
     return sum;
 }
 
-/* Turns pairs of columns until they are square to each other (one-sided Jacobi): J becomes U S, V collects the turns.
- */
+/* Rotates pairs of columns until they are orthogonal (one-sided Jacobi): J becomes U S, V collects the rotations. */
 static void columns_turn(Fit *f)
 {
     const int n = f->n_free, m = f->plan->m;
@@ -927,7 +930,7 @@ static void columns_turn(Fit *f)
     }
 }
 
-/* The step with that damping (LS1), cut off at the bounds. Returns its largest part. */
+/* Computes the step with that damping (LS1), limited by the bounds. Returns its largest component. */
 static double step_make(const Fit *f, double damping, double *u)
 {
     const int m = f->plan->m;
@@ -947,7 +950,7 @@ static double step_make(const Fit *f, double damping, double *u)
     return size;
 }
 
-/* Steps until none is better, or they are small. */
+/* Takes steps until none is better, or they are small. */
 static int descend(Fit *f)
 {
     double u[FIT_MAX], damping = DAMPING;
@@ -975,7 +978,7 @@ static int descend(Fit *f)
     return 0;
 }
 
-/* How residuals hang together from one to the next, and how many are independent (LS3). */
+/* Computes the correlation of adjacent residuals, and the number of independent ones (LS3). */
 static void lag_find(const Fit *f, FitResult *x)
 {
     const int m = f->plan->m;
@@ -987,7 +990,7 @@ static void lag_find(const Fit *f, FitResult *x)
     x->effective = m * (1 - lag) / (1 + lag);
 }
 
-/* Intervals and correlations from the singular values at the end (LS2), (LS4). */
+/* Computes intervals and correlations from the singular values at the end (LS2), (LS4). */
 static void intervals_find(Fit *f, FitResult *x)
 {
     const int n = f->n_free;
@@ -1003,7 +1006,8 @@ static void intervals_find(Fit *f, FitResult *x)
     for (int a = 0; a < n; a++) {
         for (int b = 0; b < n; b++) {
             for (int k = 0; k < n; k++) {
-                const double share = f->V[a][k] * f->V[b][k]; /* a direction that nothing sees is none of the others' */
+                const double share =
+                    f->V[a][k] * f->V[b][k]; /* an undetermined direction belongs to its own parameters only */
                 if (share != 0) C[a][b] += share / (f->s[k] * f->s[k]);
             }
         }

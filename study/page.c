@@ -11,7 +11,7 @@
 #include "io/results/results_file.h"
 #include "study/findings.h"
 
-/* Pixels about the frame of a figure. */
+/* Pixels around the frame of a figure. */
 enum { LEFT = 84, RIGHT = 24, TOP = 58, BELOW = 52, BAR_HEIGHT = 26, BAR_WORDS = 190, CELL_DIGITS = 5 };
 
 static const char style[] =
@@ -61,7 +61,7 @@ void page_lines(Text *page, const char *lines)
     text_add(page, "</pre>\n");
 }
 
-/* Whether any row of the column is known. */
+/* Checks for a known value in any row of the column. */
 static int column_known(const Table *t, const Column *column)
 {
     for (int i = 0; i < t->n; i++) {
@@ -106,7 +106,7 @@ void page_table(Text *page, const Table *t)
 
 /* ---------------------------------------------------------------------------------------------------------- figures */
 
-/* Widens a range by the finite values of both of a curve's coordinates. */
+/* Widens a range by a coordinate of the points of a curve that are finite. */
 static void range_widen(const Curve *c, int of_x, double *from, double *to)
 {
     for (int i = 0; i < c->n; i++) {
@@ -193,7 +193,7 @@ static void page_bars(Text *page, const char *title, const char *x_label, int n,
     svg_into(&svg, page);
 }
 
-/* The findings as a document: one answer, one list of tables, for people and for programs. */
+/* The findings as a document: one answer, one list of tables, for readers and for programs. */
 
 /* A share is shown in %, to a tenth. */
 #define SHARE(prefix, what, type, member)                                                                              \
@@ -340,7 +340,7 @@ static const Column lost_columns[] = {
 
 /* ------------------------------------------------------------------------------------------------------ the answer */
 
-/* Lines one after the other, cut where there is no more room. */
+/* Lines that are appended, truncated at the end of the space. */
 typedef struct Lines {
     char *text;
     size_t used;
@@ -356,7 +356,7 @@ __attribute__((format(printf, 2, 3))) static void line(Lines *l, const char *for
     if (l->used >= ANSWER_MAX) l->used = ANSWER_MAX - 1;
 }
 
-/* ", limited by pull in 30, sidewall in 2": the most frequent first. */
+/* Writes ", limited by pull in 30, sidewall in 2", the most frequent first. */
 static void say_limited(Lines *l, const Findings *f)
 {
     int told[LIMIT_KINDS] = {0};
@@ -371,7 +371,7 @@ static void say_limited(Lines *l, const Findings *f)
     }
 }
 
-/* The best design, or that there is none. */
+/* Writes the best design, or that there is none. */
 static void say_design(Lines *l, const Study *s, const Findings *f)
 {
     const char *const what = s->aim.most ? "MOST" : "LEAST", *const unit = aim_unit(s);
@@ -390,12 +390,12 @@ static void say_design(Lines *l, const Study *s, const Findings *f)
     }
 }
 
-/* The parameters that fit best, and what to beware of. */
+/* Writes the fitted parameters and the warnings. */
 static void say_fit(Lines *l, const Study *s, const Findings *f)
 {
     const FitResult *const x = &f->fit;
     line(l, "%s: RMS %.3g N, %.2g %% of the log's force, after %d evaluations\n",
-         x->done ? "FITTED" : "NOT FITTED, no least was reached", x->rms, f->fit_rms_pct, x->evaluations);
+         x->done ? "FITTED" : "NOT FITTED, no minimum was reached", x->rms, f->fit_rms_pct, x->evaluations);
     line(l, "  log      %d parts, %ld starts in it; %ld readings were left out as lost, drop-outs or spikes\n",
          s->measured.n, s->measured.starts, s->measured.lost);
     for (int k = 0; k < s->measured.n_notes; k++) line(l, "  log      %s\n", s->measured.note[k]);
@@ -406,7 +406,7 @@ static void say_fit(Lines *l, const Study *s, const Findings *f)
     for (int k = 0; k < f->n_warnings; k++) line(l, "  beware   %s\n", f->warning[k]);
 }
 
-/* How it was sought. */
+/* Writes how the search was done. */
 static void say_search(Lines *l, const Study *s, const Findings *f)
 {
     static const char *const how[] = {"", "linear models (COBYLA)", "evolution (ISRES), then neighbours",
@@ -420,7 +420,7 @@ static void say_search(Lines *l, const Study *s, const Findings *f)
          best, s->aim.searches, there, s->samples);
 }
 
-/* The probability of points that are drawn, the number of variants. */
+/* Writes the probability for random points, or the number of variants. */
 static void say_answer(Lines *l, const Study *s, const Findings *f)
 {
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
@@ -447,7 +447,7 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
              f->held);
 }
 
-/* How far theory was relied on, and whether that was right. */
+/* Writes how far theory was relied on, and whether that was justified. */
 static void say_runs(Lines *l, const Study *s, const Findings *f)
 {
     const int all = s->close[0] > 1e3;
@@ -464,7 +464,7 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     for (int q = 0; q < s->n_quantities && f->chosen; q++) {
         if (s->quantity[q].of != BY_RUN) continue;
         line(l, "  beware   the runs were chosen, near a limit: their quantities %s\n",
-             s->pilot ? "are told of the pilots alone" : "have no statistics, which 'fidelity: auto' or 'run' have");
+             s->pilot ? "come from the pilots alone" : "have no statistics, which 'fidelity: auto' or 'run' have");
         break;
     }
     for (int k = 0; k < LIMIT_KINDS; k++) {
@@ -475,7 +475,7 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     }
 }
 
-/* What the answer rests on, and what it leaves out. */
+/* Writes the basis of the answer, and what it leaves out. */
 static void say_rest(Lines *l, const Study *s, const Findings *f)
 {
     static const char *const by[] = {"theory", "runs", "theory, and runs near a limit"};
@@ -538,7 +538,7 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     return n;
 }
 
-/* Tables without rows are left out. */
+/* Adds a table if it has rows. */
 static void table_add(Table *table, int *n, const char *key, const char *heading, Columns columns, int rows,
                       const void *row)
 {
@@ -559,7 +559,7 @@ int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX])
         table_add(table, &n, "searches", "Searches", (Columns)COLUMNS(SearchRow, search_columns), f->n_searches,
                   f->search);
     }
-    /* points of a search are no sample of anything */
+    /* points of a search are not a random sample */
     const int shares = !study_searches(s);
     table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns),
               shares ? f->n_quantities : 0, f->quantity);
@@ -607,11 +607,11 @@ hawser_status findings_text(const Study *s, const Findings *f, hawser_format for
     return document_write(&doc, format, text, err);
 }
 
-/* study.html: the answer, its tables, and figures of what stands behind it. */
+/* study.html: the answer, its tables, and figures of the underlying data. */
 
 enum { DOTS_MAX = 1500, SCATTERS_MAX = 8, LABEL_MAX = 200 };
 
-/* A quantity as figures show it: "reference_total_N" in kN. */
+/* Scale of a quantity in figures: "reference_total_N" in kN. */
 static Scale quantity_scale(const Findings *f, int q)
 {
     const QuantityRow *const row = &f->quantity[q];
@@ -624,7 +624,7 @@ static const char *label_of(char label[LABEL_MAX], const char *name, const char 
     return label;
 }
 
-/* How the probability and the mean settle. */
+/* Draws the convergence of probability and mean. */
 static void convergence_add(Text *page, const Findings *f)
 {
     double n[64], p[64], low[64], high[64];
@@ -643,7 +643,8 @@ static void convergence_add(Text *page, const Findings *f)
                               NAN, NULL});
 }
 
-/* The first quantity between low and high values of each parameter, the widest above; or shares of the variance. */
+/* Draws the first quantity between low and high values of each parameter, the widest on top; or shares of the variance.
+ */
 static void tornado_add(Text *page, const Study *s, const Findings *f)
 {
     Bar bar[SCATTERS_MAX * 2];
@@ -679,7 +680,7 @@ static void tornado_add(Text *page, const Study *s, const Findings *f)
     page_bars(page, title, label_of(label, f->quantity[0].name, scale.unit), n, bar, f->tornado[0].mean * scale.factor);
 }
 
-/* Every so many-th sample as a dot, SAFE and others, and over them the mean of parts with 5 and 95 %. */
+/* Draws every n-th sample as a dot, SAFE or not, and over them the mean of parts with 5 and 95 %. */
 static void scatter_add(Text *page, const Study *s, const Rows *rows, const Findings *f, int j)
 {
     const long every = 1 + rows->n / DOTS_MAX;
@@ -720,7 +721,7 @@ static void scatter_add(Text *page, const Study *s, const Rows *rows, const Find
     free(dot);
 }
 
-/* The best so far of each search. */
+/* Draws the best value so far of each search. */
 static void progress_add(Text *page, const Study *s, const Rows *rows)
 {
     static const SvgStyle styles[] = {SVG_FIRST, SVG_SECOND, SVG_THIRD, SVG_FOURTH};
@@ -752,7 +753,7 @@ static void progress_add(Text *page, const Study *s, const Rows *rows)
     free(broken);
 }
 
-/* The log, the first guess and the fit; what is left. */
+/* Draws the log, the first guess and the fit; and the residuals. */
 static void fit_add(Text *page, const Study *s, const Rows *rows, const Findings *f)
 {
     const int n = s->measured.n;

@@ -1,15 +1,14 @@
-/* Pages of studies: one HTML file with tables and figures in SVG, without scripts, that asks no network for anything.
- */
+/* Pages of studies: one HTML file with tables and figures in SVG, without scripts and without network access. */
 #ifndef HAWSER_STUDY_PAGE_H
 #define HAWSER_STUDY_PAGE_H
 
 #include "io/report/svg.h"
 #include "io/results/column.h"
 
-/* The beginning with its title, and the end. */
+/* Writes the beginning with its title, and the end. */
 void page_begin(Text *page, const char *title);
 void page_end(Text *page);
-/* Lines as they stand; a paragraph. */
+/* Writes preformatted lines, or a paragraph. */
 void page_lines(Text *page, const char *lines);
 void page_table(Text *page, const Table *table);
 /* A curve of a figure: a line, marks, or both. */
@@ -21,9 +20,9 @@ typedef struct Curve {
     int line, marks;
 } Curve;
 
-/* A figure of curves over two axes. Levels are lines at a value of y. */
+/* A figure of curves over two axes. A level is a line at a value of y. */
 typedef struct Chart {
-    const char *title, *x, *y; /* y and x with their units */
+    const char *title, *x, *y; /* title, y and x with their units */
     int n;
     const Curve *curve; /* [n] */
     double width, height;
@@ -32,7 +31,7 @@ typedef struct Chart {
 } Chart;
 
 void page_chart(Text *page, const Chart *chart);
-/* Bars that lie, one below the other, each from `from` to `to` with words before it. */
+/* Horizontal bars, one below the other, each from `from` to `to` with a label. */
 typedef struct Bar {
     const char *words;
     double from, to;  /* NAN: none */

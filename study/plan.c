@@ -21,7 +21,7 @@ static const char *const methods[] = {"morris", "sobol", NULL};
 
 static const char *const search_methods[] = {"auto", "linear", "random", "all", NULL};
 
-/* Numbers in the unit of whatever is varied. */
+/* Defines a key for a number in the unit of the varied quantity. */
 #define ANY_NUMBER(name)                                                                                               \
     {                                                                                                                  \
         name, KEY_ANY, .required = 1, .form = "a number, with the unit that the case takes"                            \
@@ -186,10 +186,10 @@ static const CaseKey top_keys[] = {
 
 SECTION(study_top, "", top_keys);
 
-/* What a search seeks: an objective and constraints, each a parameter or a path into the answer. */
+/* Aim of a search: an objective and constraints, each a parameter or a path into the answer. */
 
-/* The parameter of this name, or the quantity of this path, which is looked at from now on. With two answers theory's
- * counts, which every sample has. The study's array has room for all that a search may ask for. */
+/* Finds the parameter of this name, or the quantity of this path, which is added to the quantities. With two answers
+ * theory's counts, which every sample has. The study's array has space for all that a search may add. */
 static Asked asked_find(Study *s, const CaseNode *node, const char *text)
 {
     const Fidelity of = s->fidelity == BY_RUN ? BY_RUN : BY_THEORY;
@@ -203,7 +203,7 @@ static Asked asked_find(Study *s, const CaseNode *node, const char *text)
     return (Asked){-1, s->n_quantities++};
 }
 
-/* A parameter of words has no size. */
+/* Refuses a parameter of words, which has no numeric value. */
 static hawser_status asked_check(const CaseReader *r, const CaseNode *node, const Study *s, Asked a)
 {
     if (a.parameter < 0 || parameter_is_number(&s->parameter[a.parameter])) return HAWSER_OK;
@@ -239,7 +239,7 @@ SearchBox study_box(const Study *s, double *x, unsigned char *whole)
     return (SearchBox){n, x, x + n, x + 2 * n, whole};
 }
 
-/* The method where the study leaves it open; whether one that is named can do it. */
+/* Chooses the method if the study leaves it open; checks one that is given. */
 static hawser_status method_choose(const CaseReader *r, const CaseNode *section, Study *s)
 {
     double x[3 * PARAMETERS_MAX];
@@ -253,13 +253,13 @@ static hawser_status method_choose(const CaseReader *r, const CaseNode *section,
         return case_value_error(r->err, method, ": there are more points than evaluations");
     for (int j = 0; j < s->n_parameters && a->method == SEARCH_LINEAR; j++) {
         if (whole[j])
-            return case_value_error(r->err, method, " knows numbers only, and '%s' is none: take random",
+            return case_value_error(r->err, method, " works with real numbers only, and '%s' is not one: use random",
                                     s->parameter[j].name);
     }
     return HAWSER_OK;
 }
 
-/* A name or path, or a map of such with weights. */
+/* Reads a name or path, or a map of these with weights. */
 static hawser_status objective_read(const CaseReader *r, const CaseNode *node, Study *s)
 {
     static const CaseKey weight = {.name = "weight", .kind = KEY_NUMBER, FROM(-1e9, 1e9)};
@@ -287,8 +287,8 @@ static hawser_status objective_read(const CaseReader *r, const CaseNode *node, S
     return HAWSER_OK;
 }
 
-/* What is sought into s->aim, once parameters and quantities are known; adds quantities that it asks for. Errors:
- * INPUT, MEMORY. */
+/* Reads the aim into s->aim, once parameters and quantities are known; adds quantities that it uses. Errors: INPUT,
+ * MEMORY. */
 static hawser_status aim_read(const CaseReader *r, const CaseNode *section, Study *s)
 {
     StudyRecord record = {.samples = 0};
@@ -316,10 +316,10 @@ static hawser_status aim_read(const CaseReader *r, const CaseNode *section, Stud
     return status ? status : method_choose(r, section, s);
 }
 
-/* What a calibration is held against: points of a log, and how much each counts. */
+/* Reference of a calibration: points of a log with weights. */
 
-/* Parts of few readings and single ones count less, by the noise of a mean (LO9). Those of starts stay only where they
- * are to be fitted. */
+/* Weighs the points: parts with few readings and single ones count less, by the noise of a mean (LO9). Points of starts
+ * stay only if they are to be fitted. */
 static hawser_status points_weigh(Measured *m, int starts, hawser_error *err)
 {
     double *const x = malloc(((size_t)m->n + 1) * sizeof *x);
@@ -340,7 +340,7 @@ static hawser_status points_weigh(Measured *m, int starts, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
+/* Reads the log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
 static hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study *s)
 {
     StudyRecord record = {.samples = 0};
@@ -350,7 +350,7 @@ static hawser_status measured_read(const CaseReader *r, const CaseNode *section,
     if (status) return status;
     for (int j = 0; j < s->n_parameters; j++) {
         if (s->parameter[j].whole)
-            return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit wants numbers");
+            return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit requires numbers");
     }
     if (s->n_parameters > FIT_MAX) return case_key_error(r->err, section, NULL, "more than %d parameters", FIT_MAX);
     if (s->fidelity != BY_THEORY && record.starts)
@@ -371,7 +371,7 @@ static hawser_status measured_read(const CaseReader *r, const CaseNode *section,
     if (!status && !(to > from)) {
         status = case_key_error(
             r->err, section, NULL,
-            "the log has no lengths within 'from' and 'to', and no speed to reckon them from: give 'speed'");
+            "the log has no lengths within 'from' and 'to', and no speed to compute them from: give 'speed'");
     }
     if (!status) {
         m->n = log_points(&log, log.length, from, to, (int)record.samples, &m->point);
@@ -394,9 +394,9 @@ static hawser_status measured_read(const CaseReader *r, const CaseNode *section,
     return status;
 }
 
-/* What is varied: laws and choices, with the units that the user gave. */
+/* Varied parameters: laws and choices, with the user's units. */
 
-/* The length of a decimal number at a text's beginning: "6.9e3" of "6.9e3 kN"; 0: there is none. */
+/* Length of a decimal number at a text's beginning: "6.9e3" of "6.9e3 kN"; 0: there is none. */
 static size_t number_length(const char *text)
 {
     static const char digits[] = "0123456789";
@@ -424,7 +424,7 @@ int value_split(const Units *units, const char *text, double *value, char unit[U
     return units_read(units, number, DIM_NONE, value, why);
 }
 
-/* A number in the parameter's unit, which the first one with a unit sets; a bare 0 goes with any. */
+/* Reads a number in the parameter's unit, which the first one with a unit sets; a bare 0 fits any. */
 static hawser_status value_read(const CaseReader *r, const CaseNode *node, Parameter *p, double *value)
 {
     char unit[UNIT_MAX];
@@ -441,8 +441,7 @@ static hawser_status value_read(const CaseReader *r, const CaseNode *node, Param
                             other, p->unit, other);
 }
 
-/* How many of the second unit one of the first is; "": SI. NAN: they are of no kind in common, or it depends on the
- * kind. */
+/* Ratio of the first unit to the second; "": SI. NAN: they have no kind in common, or it depends on the kind. */
 static double unit_ratio(const Units *units, const char *from, const char *to)
 {
     char one[UNIT_MAX + 8], other[UNIT_MAX + 8], why[UNITS_WHY_MAX];
@@ -460,8 +459,8 @@ static double unit_ratio(const Units *units, const char *from, const char *to)
     return found;
 }
 
-/* A choice's text as a number in the parameter's unit, which the first number says; NAN: it is none, or in a unit of
- * another kind. Bare numbers are SI beside others with units, as the case takes them. */
+/* A choice's text as a number in the parameter's unit, which the first number sets; NAN: not a number, or in a unit of
+ * another kind. Bare numbers are SI beside others with units, as in the case. */
 static double choice_number(const Units *units, const char *text, Parameter *p)
 {
     char unit[UNIT_MAX];
@@ -472,7 +471,7 @@ static double choice_number(const Units *units, const char *text, Parameter *p)
     return value * unit_ratio(units, unit, p->unit);
 }
 
-/* What cannot be: a law of no width, or of no sense. `node`: its section. */
+/* Refuses impossible laws, such as one without width. `node`: its section. */
 static hawser_status law_check(const CaseReader *r, const CaseNode *node, const Distribution *law)
 {
     const char *wrong = NULL;
@@ -488,7 +487,7 @@ static hawser_status law_check(const CaseReader *r, const CaseNode *node, const 
     return wrong ? case_key_error(r->err, node, NULL, "%s", wrong) : HAWSER_OK;
 }
 
-/* The numbers of a law; `factor` of a lognormal one is a pure number. */
+/* Reads the numbers of a law; `factor` of a lognormal one is a pure number. */
 static hawser_status law_read(const CaseReader *r, const CaseNode *node, const LawKeys *keys, Parameter *p)
 {
     Distribution *const law = &p->law;
@@ -505,7 +504,7 @@ static hawser_status law_read(const CaseReader *r, const CaseNode *node, const L
     return status ? status : law_check(r, node, law);
 }
 
-/* Room for n choices. 0 without memory. */
+/* Allocates n choices. Returns 0 without memory. */
 static int choices_alloc(Parameter *p, int n)
 {
     p->chosen = 1;
@@ -515,7 +514,7 @@ static int choices_alloc(Parameter *p, int n)
     return p->choice && p->number && p->weight;
 }
 
-/* Any texts, of which those that are numbers are known as such. */
+/* Reads choices of any texts, and marks those that are numbers. */
 static hawser_status choices_read(const CaseReader *r, const CaseNode *list, Parameter *p)
 {
     if (list->kind != NODE_LIST || list->count == 0)
@@ -533,7 +532,7 @@ static hawser_status choices_read(const CaseReader *r, const CaseNode *list, Par
     return HAWSER_OK;
 }
 
-/* The weights beside the values: none below 0, one above. */
+/* Reads the weights of the values: none below 0, at least one above. */
 static hawser_status discrete_read(const CaseReader *r, const CaseNode *node, Parameter *p)
 {
     static const CaseKey weight = {.name = "weights", .kind = KEY_NUMBER, FROM(0, 1e9)};
@@ -554,7 +553,7 @@ static hawser_status discrete_read(const CaseReader *r, const CaseNode *node, Pa
     return status;
 }
 
-/* Evenly from end to end. */
+/* Reads evenly spaced steps from end to end. */
 static hawser_status steps_read(const CaseReader *r, const CaseNode *node, Parameter *p)
 {
     double end[2] = {0, 0};
@@ -578,7 +577,7 @@ static hawser_status steps_read(const CaseReader *r, const CaseNode *node, Param
     return HAWSER_OK;
 }
 
-/* A side of a search's box: numbers, or whole numbers, and where it begins. */
+/* Reads a side of a search's box: real or whole numbers, and its start. */
 static hawser_status range_read(const CaseReader *r, const CaseNode *node, int whole, Parameter *p)
 {
     Distribution *const law = &p->law;
@@ -600,7 +599,7 @@ static hawser_status range_read(const CaseReader *r, const CaseNode *node, int w
     return HAWSER_OK;
 }
 
-/* The case's keys that it stands for: its name, a key or several. */
+/* Reads the case's keys of a parameter: its name, a key or several. */
 static hawser_status keys_read(const CaseReader *r, const CaseNode *node, Parameter *p)
 {
     const CaseNode *const key = case_node_key(node, "key");
@@ -616,7 +615,7 @@ static hawser_status keys_read(const CaseReader *r, const CaseNode *node, Parame
     return HAWSER_OK;
 }
 
-/* The one way in which it is varied. */
+/* Reads the single form of variation. */
 static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p)
 {
     static const char *const wanted[] = {"give one of values, steps (in a grid)", "its values are in the list's file",
@@ -648,12 +647,12 @@ static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyK
     for (int k = 0; k < STUDY_LAWS; k++) {
         if (strcmp(name, study_laws[k].name) == 0) return law_read(r, form, &study_laws[k], p);
     }
-    p->chosen = 1; /* a list's */
+    p->chosen = 1; /* by the list's choices */
     return HAWSER_OK;
 }
 
-/* One parameter's section into *p: a grid wants choices, a list has them in its columns, else a law is wanted. Errors:
- * INPUT, MEMORY. */
+/* Reads one parameter's section: a grid requires choices, a list has them in its columns, else a law is required.
+ * Errors: INPUT, MEMORY. */
 static hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p)
 {
     char nothing;
@@ -662,13 +661,13 @@ static hawser_status parameter_read(const CaseReader *r, const CaseNode *node, S
     if (!status) status = keys_read(r, node, p);
     if (!status) status = form_read(r, node, kind, p);
     if (!p->chosen || kind < STUDY_OPTIMISE) return status;
-    p->whole = 1; /* which of them, from the first: neighbours should be alike */
+    p->whole = 1; /* the index of the choice: neighbours should be alike */
     p->law = (Distribution){.kind = LAW_UNIFORM, .a = 0, .b = p->n_choices - 1};
     p->start = (double)((p->n_choices - 1) / 2);
     return status;
 }
 
-/* The parameter that a node names; -1 with a message. */
+/* The parameter with the name in a node; -1 with a message. */
 static int parameter_named(const CaseReader *r, const Study *s, const CaseNode *node)
 {
     for (int j = 0; node && node->kind == NODE_TEXT && j < s->n_parameters; j++) {
@@ -678,7 +677,7 @@ static int parameter_named(const CaseReader *r, const Study *s, const CaseNode *
     return -1;
 }
 
-/* Which two a pair names: a, b. */
+/* Reads the two parameters of a pair. */
 static hawser_status pair_read(const CaseReader *r, const CaseNode *node, const Study *s, int pair[2])
 {
     const CaseNode *const of = case_node_key(node, "of");
@@ -689,7 +688,7 @@ static hawser_status pair_read(const CaseReader *r, const CaseNode *node, const 
     return pair[0] == pair[1] ? case_value_error(r->err, of, ": expected two different parameters") : HAWSER_OK;
 }
 
-/* A pair and its correlation into R, in s->factor for now; told[n * n]: which pairs there are. */
+/* Reads a pair and its correlation into R, which is in s->factor for now; told[n * n]: pairs that were given. */
 static hawser_status correlation_read(const CaseReader *r, const CaseNode *node, Study *s, unsigned char *told)
 {
     double value = 0;
@@ -704,7 +703,7 @@ static hawser_status correlation_read(const CaseReader *r, const CaseNode *node,
     return HAWSER_OK;
 }
 
-/* The correlations into s->factor. Errors: INPUT, MEMORY. */
+/* Reads the correlations into s->factor. Errors: INPUT, MEMORY. */
 static hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s)
 {
     const int n = s->n_parameters;
@@ -719,8 +718,7 @@ static hawser_status correlations_read(const CaseReader *r, const CaseNode *list
     const int bad = status ? -1 : correlation_factor(n, s->factor, lower);
     if (bad >= 0) {
         status = case_key_error(r->err, list, NULL,
-                                "no parameters can be correlated so: with what is said of the others, '%s' cannot be "
-                                "correlated as it is",
+                                "these correlations are impossible: with those of the others, '%s' cannot have its own",
                                 s->parameter[bad].name);
     }
     if (!status) memcpy(s->factor, lower, (size_t)n * (size_t)n * sizeof *lower);
@@ -729,15 +727,15 @@ static hawser_status correlations_read(const CaseReader *r, const CaseNode *list
     return status;
 }
 
-/* Variants out of a table: CSV as RFC 4180 has it, names over the columns, a variant a row, an empty cell where the
- * base case's own value stays. */
+/* Variants from a table: CSV as in RFC 4180, with names above the columns, one variant per row, and an empty cell for
+ * the base case's own value. */
 
-/* A table being read; its text is cut into cells where it stands. */
+/* State of reading a table; its text is cut into cells in place. */
 typedef struct Csv {
     const char *path;
-    char *at; /* what comes next; NULL: nothing */
-    int line; /* of what comes next */
-    int last; /* the cell that was read ends its row */
+    char *at; /* next character; NULL: the end */
+    int line; /* of that character */
+    int last; /* the last cell read ends its row */
     hawser_error *err;
 } Csv;
 
@@ -747,7 +745,7 @@ static hawser_status csv_error(const Csv *c, int line, const char *what, const c
     return HAWSER_ERR_INPUT;
 }
 
-/* In quotes; `""` is one. *end: behind the closing quote. */
+/* Reads a quoted cell; `""` is one quote. *end: behind the closing quote. */
 static hawser_status quoted_cell(Csv *c, char **cell, char **end)
 {
     char *from = c->at + 1, *to = from;
@@ -761,11 +759,11 @@ static hawser_status quoted_cell(Csv *c, char **cell, char **end)
     if (!*from) return csv_error(c, line, "a quote that does not end", NULL);
     *to = 0;
     *end = from + 1;
-    if (**end && !strchr(",\r\n", **end)) return csv_error(c, c->line, "something stands behind a quote: ", *end);
+    if (**end && !strchr(",\r\n", **end)) return csv_error(c, c->line, "text after a closing quote: ", *end);
     return HAWSER_OK;
 }
 
-/* The next cell of the row, without blanks around it. */
+/* Reads the next cell of the row, without surrounding blanks. */
 static hawser_status cell_next(Csv *c, char **cell)
 {
     char *end = NULL;
@@ -789,7 +787,7 @@ static hawser_status cell_next(Csv *c, char **cell)
     return HAWSER_OK;
 }
 
-/* Lines with nothing in them do not count. */
+/* Skips empty lines. */
 static void blanks_skip(Csv *c)
 {
     while (c->at && (*c->at == '\n' || *c->at == '\r')) {
@@ -798,7 +796,7 @@ static void blanks_skip(Csv *c)
     }
 }
 
-/* A column's parameter: the study's of that name, or a new one whose key the name is. */
+/* Assigns a column: to the study's parameter of that name, or to a new one with the name as key. */
 static hawser_status column_begin(Study *s, Csv *c, const char *name, int column)
 {
     Parameter *const own = s->parameter;
@@ -823,12 +821,12 @@ static hawser_status column_begin(Study *s, Csv *c, const char *name, int column
     return more[column].name && more[column].key ? HAWSER_OK : error_memory(c->err);
 }
 
-/* The first row. Room for `rows` values each; every parameter of the study must have a column. */
+/* Reads the first row, and allocates `rows` values per column; every parameter of the study must have a column. */
 static hawser_status head_read(Study *s, Csv *c, int rows, int *columns)
 {
     hawser_status status = HAWSER_OK;
     c->last = 0;
-    /* the array has one place more than parameters, for column_begin's swap */
+    /* the array has space for one parameter more, for column_begin's swap */
     for (*columns = 0; !c->last && !status; ++*columns) {
         char *name;
         status = c->at ? cell_next(c, &name) : csv_error(c, 1, "nothing is in it", NULL);
@@ -847,7 +845,7 @@ static hawser_status head_read(Study *s, Csv *c, int rows, int *columns)
     return status;
 }
 
-/* A cell becomes a choice. */
+/* Adds a cell as a choice. */
 static hawser_status cell_take(const Units *units, Csv *c, const char *cell, Parameter *p)
 {
     double *const number = &p->number[p->n_choices];
@@ -859,7 +857,7 @@ static hawser_status cell_take(const Units *units, Csv *c, const char *cell, Par
     return HAWSER_OK;
 }
 
-/* A variant. */
+/* Reads a variant. */
 static hawser_status row_read(Study *s, const Units *units, Csv *c, int columns)
 {
     const int line = c->line;
@@ -882,7 +880,7 @@ static hawser_status row_read(Study *s, const Units *units, Csv *c, int columns)
                      case_place(c->path, line, place), n, columns);
 }
 
-/* Any number of rows is at most the number of line ends, and one. */
+/* Upper bound of the number of rows: the number of line ends plus one. */
 static int lines_of(const char *text)
 {
     int n = 1;
@@ -916,10 +914,10 @@ hawser_status list_read(Study *s, const CaseNode *file, const char *path, hawser
     return status;
 }
 
-/* What sample i is: its point, and the case with it. */
+/* Sample i: its point, and the case with it. */
 
-/* A coordinate of the unit cube as the parameter's value. A grid of Morris' has its ends at 0 and 1, where laws without
- * an end have none: there it is taken between the first and the last 0.5 %. */
+/* Converts a coordinate of the unit cube to the parameter's value. Morris' grid includes 0 and 1, where unbounded laws
+ * have no value: they are used between the first and the last 0.5 %. */
 static double value_at(const Study *s, const Parameter *p, double u)
 {
     const int open = p->law.kind == LAW_NORMAL || p->law.kind == LAW_LOGNORMAL;
@@ -928,7 +926,7 @@ static double value_at(const Study *s, const Parameter *p, double u)
     return distribution_quantile(&p->law, u);
 }
 
-/* The last parameter changes fastest. */
+/* Computes a point of the grid; the last parameter changes fastest. */
 static void grid_point(const Study *s, long i, double *x)
 {
     for (int j = s->n_parameters - 1; j >= 0; j--) {
@@ -945,7 +943,8 @@ Fidelity study_fidelity(const Study *s, long i)
 
 int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE || s->kind == STUDY_CALIBRATE; }
 
-/* Drawn points are spread from the first on, and stay pilots when a study is made longer; others are taken evenly. */
+/* Checks for a pilot. Random points count from the first on, and remain pilots when a study is extended; others are
+ * spaced evenly. */
 int study_is_pilot(const Study *s, long i)
 {
     if (s->kind == STUDY_MONTE_CARLO || s->samples <= s->pilot) return i < s->pilot;
@@ -1018,11 +1017,11 @@ hawser_status study_case(const Study *s, const double *x, hawser_case **out, haw
     return status;
 }
 
-/* Two parameters that set the same key, of which the later one would win. */
+/* Refusal of two parameters that set the same key, of which the later one would win. */
 
 enum { KEY_ROOM = 512 };
 
-/* A step of a key in a list: the item that it numbers or names. NULL: there is none. */
+/* The item of a list for a step of a key, by number or name. NULL: there is none. */
 static const CaseNode *item_of(const CaseNode *list, const char *step)
 {
     char *end;
@@ -1035,7 +1034,7 @@ static const CaseNode *item_of(const CaseNode *list, const char *step)
     return NULL;
 }
 
-/* A key with items of lists by number alone, and a dot behind each step: "route.pieces.0.straight.". */
+/* Writes a key with items of lists by number only, and a dot after each step: "route.pieces.0.straight.". */
 static void key_plain(const CaseNode *at, const char *key, char plain[KEY_ROOM])
 {
     int n = 0;
@@ -1051,7 +1050,8 @@ static void key_plain(const CaseNode *at, const char *key, char plain[KEY_ROOM])
     }
 }
 
-/* Parameters are set in their order, so that a whole may come before a part of it, and is lost the other way round. */
+/* Checks two parameters. They are set in order, so that a whole section may come before a part of it, but would
+ * overwrite a part that comes first. */
 static hawser_status pair_check(const CaseReader *r, const Study *s, const CaseNode *way, int i, int j)
 {
     const Parameter *const p = &s->parameter[i], *const q = &s->parameter[j];
@@ -1071,8 +1071,8 @@ static hawser_status pair_check(const CaseReader *r, const Study *s, const CaseN
     return HAWSER_OK;
 }
 
-/* Whether each key of the case is one parameter's alone; way: the section that a list's columns are blamed on. Errors:
- * INPUT. */
+/* Checks that each key of the case belongs to one parameter; way: the section that an error of a list's columns refers
+ * to. Errors: INPUT. */
 static hawser_status twice_check(const CaseReader *r, const Study *s, const CaseNode *way)
 {
     hawser_status status = HAWSER_OK;
@@ -1084,7 +1084,7 @@ static hawser_status twice_check(const CaseReader *r, const Study *s, const Case
 
 /* From the study's file to a Study. */
 
-/* The ways to go about it; a sensitivity says which. */
+/* The ways of a study; the section of a sensitivity selects its own. */
 static const struct {
     const char *name;
     StudyKind kind;
@@ -1093,7 +1093,7 @@ static const struct {
 
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* Which one the file has: one. */
+/* Finds the single way in the file. */
 static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **way)
 {
     int n = 0;
@@ -1107,10 +1107,10 @@ static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **w
     if (n == 1) return HAWSER_OK;
     return case_key_error(r->err, n ? *way : r->root, NULL,
                           "%s: give one of grid, list, monte-carlo, sensitivity, optimise, calibrate",
-                          n ? "there is another way to go about it beside it" : "nothing says how to vary");
+                          n ? "there is a second one of these" : "there is none of these");
 }
 
-/* What is named so is read. */
+/* Builds a path relative to the study's file, and records it as one that is read. */
 static char *path_beside(Study *s, const char *path)
 {
     char *const full = malloc(strlen(s->tree->folder) + strlen(path) + 2);
@@ -1121,7 +1121,7 @@ static char *path_beside(Study *s, const char *path)
     return NULL;
 }
 
-/* The base case, with what the study sets. Its own messages name it. */
+/* Loads the base case, with the keys that the study sets. Its own messages name it. */
 static hawser_status base_load(const CaseReader *r, const char *name, Study *s)
 {
     char *const path = path_beside(s, name);
@@ -1137,7 +1137,7 @@ static hawser_status base_load(const CaseReader *r, const char *name, Study *s)
     return status;
 }
 
-/* Each under its name, in the order of the file; of a grid in that of its list. */
+/* Reads each parameter under its name, in the order of the file; for a grid in that of its list. */
 static hawser_status parameters_read(const CaseReader *r, Study *s)
 {
     const CaseNode *const map = case_node_key(r->root, "parameters");
@@ -1154,7 +1154,7 @@ static hawser_status parameters_read(const CaseReader *r, Study *s)
     return status;
 }
 
-/* The names in a grid's list are those of the parameters, each once: they give the order. */
+/* Reads a grid's list: the names of the parameters, each once, which give the order. */
 static hawser_status grid_read(const CaseReader *r, const CaseNode *list, Study *s)
 {
     int at = 0;
@@ -1176,7 +1176,7 @@ static hawser_status grid_read(const CaseReader *r, const CaseNode *list, Study 
     return HAWSER_OK;
 }
 
-/* Sobol points have an end. */
+/* Checks the number of dimensions, which is limited for Sobol points. */
 static hawser_status dimensions_check(const CaseReader *r, const CaseNode *way, const Study *s)
 {
     const int most = s->kind == STUDY_SOBOL                                      ? SOBOL_DIMENSIONS / 2
@@ -1188,13 +1188,13 @@ static hawser_status dimensions_check(const CaseReader *r, const CaseNode *way, 
                           most);
 }
 
-/* How the parameters are varied. */
+/* Reads the way in which the parameters are varied. */
 static hawser_status way_read(const CaseReader *r, const CaseNode *way, Study *s)
 {
     StudyRecord record = {.samples = 0};
     hawser_status status = HAWSER_OK;
     if (s->kind == STUDY_GRID) return grid_read(r, way, s);
-    if (study_searches(s)) return HAWSER_OK; /* which ask for quantities too: aim_read, measured_read */
+    if (study_searches(s)) return HAWSER_OK; /* they need quantities first: see aim_read, measured_read */
     if (s->kind == STUDY_LIST) {
         status = case_section_read(r, way, &study_list_section, &record);
         char *const path = status ? NULL : path_beside(s, record.list);
@@ -1215,7 +1215,7 @@ static hawser_status way_read(const CaseReader *r, const CaseNode *way, Study *s
     return status || indices ? status : correlations_read(r, case_node_key(way, "correlated"), s);
 }
 
-/* Paths into one answer. */
+/* Reads paths into one answer. */
 static hawser_status paths_read(const CaseReader *r, const CaseNode *list, Fidelity of, Study *s)
 {
     if (list->kind != NODE_LIST) return case_value_error(r->err, list, ": expected a list of paths into the answer");
@@ -1231,7 +1231,7 @@ static hawser_status paths_read(const CaseReader *r, const CaseNode *list, Fidel
     return HAWSER_OK;
 }
 
-/* What is looked at without being asked for. */
+/* Sets the default quantities. */
 static void usual_quantities(Study *s)
 {
     if (s->fidelity != BY_RUN) {
@@ -1244,15 +1244,15 @@ static void usual_quantities(Study *s)
     }
 }
 
-/* A list is of the one answer that there is; with both a map says which. */
+/* Reads the quantities: a list for a single answer; with both answers a map with a list for each. */
 static hawser_status quantities_read(const CaseReader *r, Study *s)
 {
     static const char *const answers[] = {"theory", "run", NULL};
     const CaseNode *const node = case_node_key(r->root, "quantities");
-    int n = 4; /* what nobody asks for */
+    int n = 4; /* the default quantities */
     const CaseNode *const search = case_node_key(r->root, "optimise");
     for (const CaseNode *part = search ? search->first : NULL; part; part = part->next)
-        n += 1 + part->count; /* what a search adds */
+        n += 1 + part->count; /* those that a search adds */
     for (const CaseNode *part = node ? node->first : NULL; part; part = part->next) n += 1 + part->count;
     s->quantity = calloc((size_t)n, sizeof *s->quantity);
     if (!s->quantity) return error_memory(r->err);
@@ -1277,8 +1277,7 @@ static hawser_status quantities_read(const CaseReader *r, Study *s)
     return status;
 }
 
-/* With every parameter in its middle the case must be one: a key that does not exist shows here, not in every sample.
- */
+/* Checks the case with every parameter at its middle, so that an unknown key is found here, not in every sample. */
 static hawser_status middle_check(const CaseReader *r, Study *s)
 {
     double x[PARAMETERS_MAX];
@@ -1292,7 +1291,7 @@ static hawser_status middle_check(const CaseReader *r, Study *s)
     hawser_case_free(c);
     if (status != HAWSER_ERR_INPUT) return status ? error_set(r->err, status, "%s", found.message) : HAWSER_OK;
     const CaseNode *blame = r->root;
-    for (int j = 0; j < s->n_parameters; j++) { /* whose keys the message names */
+    for (int j = 0; j < s->n_parameters; j++) { /* the message names its keys */
         char set[SETTING_MAX + 8];
         snprintf(set, sizeof set, "--set %s:", s->parameter[j].key[0]);
         if (s->parameter[j].node && strncmp(found.message, set, strlen(set)) == 0) blame = s->parameter[j].node;
@@ -1306,7 +1305,7 @@ static hawser_status middle_check(const CaseReader *r, Study *s)
                      found.message);
 }
 
-/* All of it, in the order in which each part finds what it needs. */
+/* Reads the whole study, in the order in which the parts depend on each other. */
 static hawser_status study_fill(const CaseReader *r, Study *s)
 {
     StudyRecord record = {.samples = 0};

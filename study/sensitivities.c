@@ -1,6 +1,6 @@
-/* A run with the derivatives of its figures, `hawser run --sensitivities`, and those of the position that it ends at by
- * every number of the case. The case is read three times a parameter, as it is and with a little less and more of it;
- * sim/run/tangent.h does the rest. */
+/* A run with the derivatives of its figures, `hawser run --sensitivities`, and the derivatives at its final position by
+ * every number of the case. The case is read three times per parameter: as it is, and with slightly less and more of
+ * it; sim/run/tangent.h does the rest. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,14 +15,14 @@
 #include "sim/run/tangent.h"
 #include "study/plan.h"
 
-/* Half of the difference that stands for a derivative of the equations' right-hand side by a parameter, as a share of
- * it: the state's part is exact, and so is every figure to the second order of this. */
+/* Half of the difference that approximates a derivative of the equations' right-hand side by a parameter, as a share of
+ * it: the state's part is exact, and every figure is exact to the second order of this. */
 static const double SHARE = 1e-5;
 
 static const char RUN_TITLE[] = "What a run's figures change by",
                   POSITION_TITLE[] = "What the figures of a position change by";
 
-/* Parameters of a run: as the case has them, and the definitions with less and more. */
+/* Parameters of a run: values of the case, and the definitions with less and more. */
 typedef struct Varied {
     size_t n;
     const char *const *key; /* [n] */
@@ -32,11 +32,11 @@ typedef struct Varied {
     SceneDef *less_def, *more_def; /* [n] borrowed of them */
 } Varied;
 
-/* A figure and what a parameter makes of it. */
+/* A figure and its derivative by a parameter. */
 typedef struct SlopeRow {
     char figure[96];
     const char *key, *unit;
-    double value, slope, share; /* N, N by one more unit, % by 1 % more */
+    double value, slope, share; /* N, N per unit, % per 1 % */
 } SlopeRow;
 
 static const Column slope_column[] = {
@@ -48,7 +48,7 @@ static const Column slope_column[] = {
     {COLUMN("share", NUMBER, SlopeRow, share), .label = "% for 1 % more", .decimals = 4},
 };
 
-/* The value at a dotted key; items of lists go by number or by name. NULL: nowhere. */
+/* The value at a dotted key; items of lists by number or by name. NULL: none. */
 static const CaseNode *node_at(const CaseNode *node, const char *key)
 {
     while (node && *key) {
@@ -68,7 +68,7 @@ static const CaseNode *node_at(const CaseNode *node, const char *key)
     return node;
 }
 
-/* The case with a key at another value, read. */
+/* Builds and reads the case with a key at another value. */
 static hawser_status case_with(const hawser_case *c, const char *key, double value, const char *unit, hawser_case **out,
                                SceneDef *def, hawser_error *err)
 {
@@ -98,7 +98,8 @@ static hawser_status varied_make(const hawser_case *c, Varied *v, hawser_error *
         const char *const key = v->key[k];
         const CaseNode *const node = node_at(c->tree->root, key);
         if (!strncmp(key, "route.", 6)) {
-            /* what moves all supports by a share of a length steps over contacts, which are a tenth of a mm deep */
+            /* a change that moves all supports by a share of a length passes contacts, which are a tenth of a mm deep
+             */
             status =
                 error_set(err, HAWSER_ERR_INPUT,
                           "--sensitivities %.200s: the route's shape opens and closes contacts, and has no slope by "
@@ -136,7 +137,7 @@ static void varied_free(Varied *v)
     free(v->more_def);
 }
 
-/* The run, step by step, and its tangents behind it. */
+/* Computes the run step by step, followed by its tangents. */
 static hawser_status run_along(hawser_sim *sim, Tangent *g, int (*stop)(void *), void *user, hawser_error *err)
 {
     const SceneDef *const def = &sim->stage.scene.def;
@@ -157,7 +158,7 @@ static void figure_name(const Scene *scene, const TangentFigures *f, int i, char
     if (i > f->stations) snprintf(name, 96, "load of roller %d", i - 1 - f->stations);
 }
 
-/* For people: the pull, the stations, the roller that bears most. */
+/* Checks whether a figure is in the readable table: the pull, the stations, the roller with the largest load. */
 static int is_shown(const TangentFigures *f, int i)
 {
     int most = 1 + f->stations;
@@ -167,7 +168,7 @@ static int is_shown(const TangentFigures *f, int i)
     return i <= f->stations || i == most;
 }
 
-/* slope[v->n][f->n]; for programs with the identity of the run. */
+/* Writes slope[v->n][f->n]; for programs with the identity of the run. */
 static hawser_status slopes_write(const hawser_case *c, const hawser_sim *sim, const Varied *v, const TangentFigures *f,
                                   const double *slopes, Fact fact, const char *title, hawser_format format, char **text,
                                   hawser_error *err)
@@ -241,7 +242,7 @@ typedef struct Keys {
     char **key;
 } Keys;
 
-/* What computes, watches or judges a pull is no part of it. */
+/* Checks whether a section affects the pull: those that compute, record or judge it do not. */
 static int is_mechanics(const char *section)
 {
     static const char *const other[] = {"title",  "include", "run",      "solver", "output",
@@ -252,7 +253,7 @@ static int is_mechanics(const char *section)
     return 1;
 }
 
-/* Every number below a node whose path is `path`, other than 0. Returns 0 without memory. */
+/* Collects every number other than 0 below a node whose path is `path`. Returns 0 without memory. */
 static int numbers_find(const CaseNode *node, const Units *units, const char *path, Keys *keys)
 {
     char here[512], unit[UNIT_MAX];
@@ -285,7 +286,7 @@ static void keys_free(Keys *keys)
     free(keys->key);
 }
 
-/* One parameter's slopes [figures]. What the case or the position does not take of it is an error. */
+/* Computes one parameter's slopes [figures]. A change that the case or the position cannot take is an error. */
 static hawser_status position_slope(const hawser_case *c, Position *at, const char *const *key, Varied *to, size_t k,
                                     double *slope, hawser_error *err)
 {
@@ -300,8 +301,8 @@ static hawser_status position_slope(const hawser_case *c, Position *at, const ch
     return status;
 }
 
-/* Of all keys, or of every number that the case has; of the latter those that cannot be varied a little, such as how
- * many of something there are, are left out. v->key[n] becomes those that are there. */
+/* Computes the slopes by all keys, or by every number of the case; of the latter, those that cannot be varied slightly,
+ * such as counts, are left out. v->key[n] becomes the remaining ones. */
 static hawser_status position_slopes(const hawser_case *c, Position *at, int every, const char **key, Varied *v,
                                      double *slope, int (*stop)(void *), void *user, hawser_error *err)
 {
@@ -320,7 +321,7 @@ static hawser_status position_slopes(const hawser_case *c, Position *at, int eve
     return status;
 }
 
-/* The run to its end, and that position. */
+/* Computes the run to its end, and that position. */
 static hawser_status position_find(hawser_case *c, int (*stop)(void *), void *user, hawser_sim **sim, Position **at,
                                    hawser_error *err)
 {

@@ -1,4 +1,4 @@
-/* Ranks by MPI, whose functions are in a library of its own beside the program. */
+/* Ranks by MPI, whose functions are in a separate library beside the program. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -18,7 +18,7 @@
 #include "io/results/results_file.h"
 #include "study/evaluate.h"
 
-/* MPI loads parts of itself, which look for its functions among those that everybody sees. */
+/* Loads the library with global symbols: MPI loads parts of itself that need its functions. */
 hawser_status hawser_ranks_open(hawser_ranks *ranks, hawser_error *err)
 {
     if (!ranks) return error_argument(err, "ranks");
@@ -46,19 +46,19 @@ void hawser_ranks_close(hawser_ranks *ranks)
     *ranks = (hawser_ranks){0};
 }
 
-/* A study on several ranks. Rank 0 gives out ranges of the units that are open, half of what is left over all ranks at
- * a time, so that the last ones are short; it computes too, since workers are processes beside the one that talks. Each
- * rank appends to files of its own. What a rank that dies leaves open is computed by the next start. */
+/* A study on several ranks. Rank 0 distributes ranges of the open units, half of the remainder over all ranks at a
+ * time, so that the last ones are short; it computes too, since workers are separate processes. Each rank appends to
+ * its own files. Units left open by a rank that died are computed by the next start. */
 
-/* s: between words of a rank about how far it is; between looks for a message, where there is nothing else to do. */
+/* s: interval of a rank's progress messages; interval of polling for messages when there is nothing else to do. */
 static const double TELL = 0.25, LOOK = 0.01;
 
-/* message[0]; then done, failed, not safe of ASK, TELL and OVER; from, to of RANGE; a status of OVER. */
+/* message[0]; then done, failed, not safe for ASK, TELL and OVER; from, to for RANGE; a status for OVER. */
 typedef enum Say { SAY_TELL, SAY_ASK, SAY_OVER, SAY_RANGE, SAY_CLOSED, SAY_STOP, SAY_PART } Say;
 
 enum { SAID_STATE = 1, SAID_STATUS = 4, SAID_RANGE = 1 };
 
-/* What rank 0 knows of another. */
+/* State of another rank, as known to rank 0. */
 typedef struct Mate {
     int asks, over, stopped;
     hawser_status status;
@@ -68,8 +68,8 @@ typedef struct Mate {
 typedef struct Ranked {
     const hawser_ranks *ranks;
     const Units *units;
-    long next;                  /* rank 0: of the units that nobody has */
-    int single;                 /* units are long: one at a time */
+    long next;                  /* rank 0: the first unit that is not assigned */
+    int single;                 /* units are long: assigned one at a time */
     Mate *mate;                 /* rank 0: [count]; its own is not used */
     int asked, closed, stopped; /* another rank */
     double told;
@@ -89,7 +89,7 @@ static void say_state(const Ranked *r, Say what, const hawser_study_state *own, 
 
 /* ---------------------------------------------------------------------------------------------------------- rank 0 */
 
-/* Places from .. to-1 of the list of what is open; their units follow each other without a gap. */
+/* Takes places from .. to-1 of the list of open units; their units are contiguous. */
 static Fed range_take(Ranked *r, long *from, long *to)
 {
     const Units *const u = r->units;
@@ -101,7 +101,7 @@ static Fed range_take(Ranked *r, long *from, long *to)
     return FED_MORE;
 }
 
-/* Every message that is there, and an answer to who asks. */
+/* Reads all pending messages, and answers requests. */
 static void messages_serve(Ranked *r)
 {
     int64_t message[HAWSER_RANK_WORDS];
@@ -123,7 +123,7 @@ static void messages_serve(Ranked *r)
     }
 }
 
-/* The state of all. */
+/* Adds the state of all ranks. */
 static void state_add(const Ranked *r, hawser_study_state *state)
 {
     const long before = r->units->before.done;
@@ -148,7 +148,7 @@ static Fed first_more(void *user, int empty, hawser_study_state *state, long *fr
     return empty ? range_take(r, from, to) : FED_NOT_YET;
 }
 
-/* After its own workers: until all others are over, who stop where `status` is not OK. Returns what went wrong first.
+/* Waits after its own workers until all other ranks are over; they stop if `status` is not OK. Returns the first error.
  */
 static hawser_status others_wait(Ranked *r, const hawser_study_options *options, hawser_study_state *own,
                                  hawser_status status, hawser_error *err)
@@ -163,7 +163,7 @@ static hawser_status others_wait(Ranked *r, const hawser_study_options *options,
             Mate *const m = &r->mate[k];
             open += !m->over;
             if (m->over && m->status && !status)
-                status = error_set(err, m->status, "rank %d could not go on: the same command does", k);
+                status = error_set(err, m->status, "rank %d failed: the same command continues the study", k);
             if (status && !m->over && !m->stopped) say(r, k, SAY_STOP, 0, 0);
             m->stopped |= status && !m->over;
         }
@@ -175,7 +175,7 @@ static hawser_status others_wait(Ranked *r, const hawser_study_options *options,
         state_add(r, &state);
         told = now;
         if (options->progress(options->user, &state) && open && !status)
-            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command goes on",
+            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command continues",
                                state.done, state.samples);
     }
     return status;
@@ -209,7 +209,7 @@ static Fed other_more(void *user, int empty, hawser_study_state *state, long *fr
     return r->closed ? FED_NO_MORE : FED_NOT_YET;
 }
 
-/* Sleeps until rank 0 says that the next part begins or the study is over: a collective call would spin. */
+/* Sleeps until rank 0 announces the next part or the end of the study: a collective call would use processor time. */
 static void part_wait(const Ranked *r)
 {
     const struct timespec pause = {.tv_nsec = (long)(1e9 * LOOK)};
@@ -218,17 +218,17 @@ static void part_wait(const Ranked *r)
     while (!r->ranks->receive(r->ranks->user, &sender, message) || message[0] != SAY_PART) nanosleep(&pause, NULL);
 }
 
-/* -------------------------------------------------------------------------------------------------------- together */
+/* -------------------------------------------------------------------------------------------------------- all ranks */
 
 hawser_status ranks_agree(const hawser_ranks *ranks, hawser_status status, hawser_error *err)
 {
     int64_t first = status;
     ranks->share(ranks->user, &first, sizeof first);
     if (ranks->rank == 0 || first == HAWSER_OK) return status;
-    return error_set(err, (hawser_status)first, "the first rank could not go on");
+    return error_set(err, (hawser_status)first, "the first rank failed");
 }
 
-/* Counts of this engine alone, as the last call of its feed had them. */
+/* Counts of this engine alone, as of the last call of its feed. */
 typedef struct Counted {
     Fed (*more)(void *user, int empty, hawser_study_state *state, long *from, long *to);
     Ranked *ranked;
@@ -251,7 +251,7 @@ static hawser_status first_run(const Study *s, const char *dir, const hawser_stu
     hawser_status status = engine_run(s, dir, "rank-0", mine, r->units, &feed, rows, efficiency, err);
     counted.own.jobs = mine->jobs;
     for (int k = 1; k < r->ranks->count && status == HAWSER_STOPPED; k++) {
-        if (r->mate[k].status) status = HAWSER_OK; /* it is why, and others_wait says so */
+        if (r->mate[k].status) status = HAWSER_OK; /* this rank's error is the reason, and others_wait reports it */
     }
     status = others_wait(r, mine, &counted.own, status, status ? &late : err);
     for (int k = 1; k < r->ranks->count; k++) say(r, k, SAY_PART, 0, 0);
@@ -259,7 +259,8 @@ static hawser_status first_run(const Study *s, const char *dir, const hawser_stu
     return read && !status ? error_set(err, read, "%s", late.message) : status;
 }
 
-/* Units are their own numbers here: rank 0 has the list. A search needs the rows of earlier starts. */
+/* Runs another rank's engine. Units are their own numbers here: rank 0 has the list. A search needs the rows of earlier
+ * starts. */
 static hawser_status other_run(const Study *s, const char *dir, const hawser_study_options *mine, Ranked *r, Rows *rows,
                                double *efficiency, hawser_error *err)
 {
@@ -275,7 +276,7 @@ static hawser_status other_run(const Study *s, const char *dir, const hawser_stu
     return status;
 }
 
-/* Once over what is open; *left: how much that was. */
+/* Runs the open units once; *left: their number. */
 static hawser_status round_run(Study *s, const char *dir, const hawser_study_options *mine, const hawser_ranks *ranks,
                                int pilots, Rows *rows, long *left, double *efficiency, hawser_error *err)
 {
@@ -300,7 +301,7 @@ static hawser_status round_run(Study *s, const char *dir, const hawser_study_opt
     return status;
 }
 
-/* Again for what a worker took along that died before it said so. */
+/* Repeats for units of workers that died before they reported. */
 hawser_status ranks_run(Study *s, const char *dir, const hawser_study_options *options, const hawser_ranks *ranks,
                         int pilots, Rows *rows, double *efficiency, hawser_error *err)
 {
@@ -312,19 +313,19 @@ hawser_status ranks_run(Study *s, const char *dir, const hawser_study_options *o
     return status;
 }
 
-/* A study as Slurm arrays. Who asked writes a sheet of what is open, submits an array of tasks, each of which computes
- * every so many-th unit of the sheet on processes of its own, and waits; what is open after that goes into another
- * array. The array's name is the study's and the folder's, so that whoever asks again finds it and waits for it. */
+/* A study as Slurm arrays. The caller writes a sheet of open units, submits an array of tasks, each of which computes
+ * every n-th unit of the sheet on its own processes, and waits; units still open after that go into another array. The
+ * array's name contains the study and the folder, so that a repeated call finds it and waits for it. */
 
-/* s: between looks at the interrupt; between questions to Slurm, at first and at most; a reading of the rows may take
- * this share of the time. */
+/* s: interval of checks for an interrupt; first and largest interval of Slurm queries; largest share of time for
+ * reading the rows. */
 static const double SLURM_LOOK = 0.05, ASK_FIRST = 0.5, ASK_MOST = 10, READ_SHARE = 0.05;
 
 enum { TASKS_MAX = 1000, CHUNK = 16, SAID_MAX = 4096, SILENCES_MAX = 20, IDLE_ARRAYS_MAX = 2 };
 
 /* ------------------------------------------------------------------------------------------------------- the sheet */
 
-/* sheet: "tasks N", "close B ..." (bands about 0 where runs are made, exact), "units FROM TO" a line. */
+/* Writes the sheet: "tasks N", "close B ..." (bands about 0 where runs are made, exact), "units FROM TO" per line. */
 static hawser_status sheet_write(const Study *s, const OutDir *workers, int tasks, const Units *units,
                                  hawser_error *err)
 {
@@ -341,7 +342,7 @@ static hawser_status sheet_write(const Study *s, const OutDir *workers, int task
     return out_named(&out, workers, status, err);
 }
 
-/* The task's share of the sheet: with its bands in s->close. */
+/* Reads the task's share of the sheet, and its bands into s->close. */
 static hawser_status sheet_lines(FILE *f, const char *path, Study *s, int task, Units *units, hawser_error *err)
 {
     int tasks = 0, fine = fscanf(f, "tasks %d close", &tasks) == 1 && tasks > task;
@@ -367,7 +368,7 @@ static hawser_status sheet_lines(FILE *f, const char *path, Study *s, int task, 
     return error_set(err, HAWSER_ERR_INPUT, "'%.400s' has no task %d: hawser study --slurm writes it", path, task);
 }
 
-/* What of the units is not in `rows`. */
+/* Removes units whose rows are in `rows`. */
 static void units_left(const Study *s, const Rows *rows, Units *units)
 {
     long n = 0;
@@ -378,8 +379,8 @@ static void units_left(const Study *s, const Rows *rows, Units *units)
     units->n = n;
 }
 
-/* A task that Slurm has started once more finds what it has computed before in its own files; a search needs those of
- * all. */
+/* Computes one task. If Slurm has restarted it, its own files have its earlier results; a search needs those of all
+ * tasks. */
 hawser_status slurm_task(Study *s, const char *dir, int task, const hawser_study_options *options, hawser_error *err)
 {
     char crew[CREW_MAX];
@@ -413,8 +414,8 @@ hawser_status slurm_task(Study *s, const char *dir, int task, const hawser_study
 
 /* ------------------------------------------------------------------------------------------------- Slurm's programs */
 
-/* Runs a program; what it says on both of its outputs, cut, in said[SAID_MAX]. Returns its exit status; < 0: it could
- * not be run. */
+/* Runs a program and stores its output of both streams, truncated, in said[SAID_MAX]. Returns its exit status; < 0: it
+ * could not be run. */
 static int program_ask(char *const *argv, char *said)
 {
     int ends[2], how;
@@ -445,7 +446,7 @@ static int program_ask(char *const *argv, char *said)
     return WEXITSTATUS(how);
 }
 
-/* Whether an array of that name waits or runs: 1, 0; < 0: Slurm does not say. */
+/* Checks whether an array of that name waits or runs: 1, 0; < 0: Slurm gives no answer. */
 static int array_is_there(const char *name)
 {
     char named[STORE_NAME_MAX + 10], said[SAID_MAX];
@@ -454,7 +455,7 @@ static int array_is_there(const char *name)
     return program_ask(argv, said) == 0 ? said[0] != 0 : -1;
 }
 
-/* A text as one word of the shell. */
+/* Writes a text as one word for the shell. */
 static hawser_status word_print(OutFile *out, const char *text, hawser_error *err)
 {
     hawser_status status = out_print(out, err, "'");
@@ -462,7 +463,7 @@ static hawser_status word_print(OutFile *out, const char *text, hawser_error *er
     return status ? status : out_print(out, err, "'");
 }
 
-/* task.sh: what each task does. */
+/* Writes task.sh, the script of each task. */
 static hawser_status script_write(const Study *s, const char *dir, const OutDir *workers, const char *program, int jobs,
                                   hawser_error *err)
 {
@@ -482,7 +483,7 @@ static hawser_status script_write(const Study *s, const char *dir, const OutDir 
     return out_named(&out, workers, status, err);
 }
 
-/* What tasks say goes into slurm.log, which Slurm opens itself, by its name: it must be no link by then. */
+/* Prepares slurm.log for the tasks' output. Slurm opens it by name: it must not be a link. */
 static hawser_status log_begin(const OutDir *workers, hawser_error *err)
 {
     OutSpot spot;
@@ -519,7 +520,7 @@ static hawser_status array_submit(const char *folder, const char *name, int task
     return error_set(err, HAWSER_ERR_INPUT, "Slurm does not take the array: %.400s", said);
 }
 
-/* ----------------------------------------------------------------------------------------------------- who asked */
+/* ----------------------------------------------------------------------------------------------------- the caller */
 
 typedef struct Slurm {
     const Study *study;
@@ -529,11 +530,11 @@ typedef struct Slurm {
     char name[STORE_NAME_MAX], folder[OUT_PATH_MAX];
     double start;
     long before; /* rows that were there at the start */
-    int workers; /* of the array, if Slurm has room for all at once */
+    int workers; /* of the array, if all its tasks run at once */
     Rows *rows;
 } Slurm;
 
-/* Looks for an interrupt for a while. */
+/* Waits until a time, and checks for an interrupt. */
 static hawser_status wait_a_while(const Slurm *w, double until, const hawser_study_state *state, hawser_error *err)
 {
     const struct timespec pause = {.tv_nsec = (long)(1e9 * SLURM_LOOK)};
@@ -553,7 +554,7 @@ static hawser_status wait_a_while(const Slurm *w, double until, const hawser_stu
     return HAWSER_OK;
 }
 
-/* What is open, and how far that is. */
+/* Finds the open units and the progress. */
 static hawser_status look(const Slurm *w, int pilots, Units *open, hawser_error *err)
 {
     free(open->unit);
@@ -568,7 +569,7 @@ static hawser_status look(const Slurm *w, int pilots, Units *open, hawser_error 
     return status;
 }
 
-/* Until Slurm knows no array of the study, which it must have; `open` afterwards. */
+/* Waits until Slurm has no array of the study, which must exist at first; `open` is updated afterwards. */
 static hawser_status array_wait(const Slurm *w, int pilots, Units *open, hawser_error *err)
 {
     double ask = ASK_FIRST, reading = 0;
@@ -578,7 +579,8 @@ static hawser_status array_wait(const Slurm *w, int pilots, Units *open, hawser_
         const double pause = fmax(ask, reading / READ_SHARE);
         status = wait_a_while(w, clock_now() + pause, &open->before, err);
         if (status) break;
-        there = array_is_there(w->name); /* before the rows: what an array that is over has written is in them */
+        there = array_is_there(
+            w->name); /* query before reading the rows: those of an array that is over are then complete */
         silences = there < 0 ? silences + 1 : 0;
         if (silences > SILENCES_MAX) {
             status = error_set(err, HAWSER_ERR_INPUT, "squeue does not answer: the same command goes on when it does");

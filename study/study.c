@@ -17,12 +17,12 @@
 
 struct hawser_study {
     Study *study;
-    Rows rows; /* of the last run; n of 0: there was none */
+    Rows rows; /* of the last run; n of 0: there is none */
     Findings findings;
     double efficiency;
 };
 
-/* What the base case cannot answer is found here, before anything is computed. */
+/* Loads a study; checks here, before any computation, that the base case gives all quantities. */
 hawser_status hawser_study_load(const char *path, hawser_study **out, hawser_error *err)
 {
     hawser_error local;
@@ -52,7 +52,7 @@ void hawser_study_free(hawser_study *s)
     free(s);
 }
 
-/* summary.json, whole. */
+/* Writes summary.json atomically. */
 static hawser_status summary_write(const hawser_study *s, const OutDir *dir, hawser_error *err)
 {
     char *text = NULL;
@@ -62,7 +62,7 @@ static hawser_status summary_write(const hawser_study *s, const OutDir *dir, haw
     return status;
 }
 
-/* The tables of what is there. */
+/* Writes the tables of the available rows. */
 static hawser_status tables_write(hawser_study *s, const OutDir *dir, hawser_error *err)
 {
     static const char *const names[] = {"samples.csv", "study.h5", "study.html", "summary.json"};
@@ -74,7 +74,7 @@ static hawser_status tables_write(hawser_study *s, const OutDir *dir, hawser_err
     return status ? status : study_page_write(s->study, &s->rows, &s->findings, dir, "study.html", err);
 }
 
-/* The workers of a study that was killed end a moment after it, and hold its folder until then. */
+/* Locks the folder. Workers of a study that was killed end a moment after it, and hold its folder until then. */
 static hawser_status folder_lock(const char *dir, OutDir *folder, hawser_error *err)
 {
     static const double PATIENCE = 2; /* s */
@@ -88,8 +88,8 @@ static hawser_status folder_lock(const char *dir, OutDir *folder, hawser_error *
     return status;
 }
 
-/* What is open, wherever it is computed, and again what a worker took along that died before it said so; its rows
- * afterwards. Pilots first: they say which of the others are run. */
+/* Computes open units wherever they run, and again those of workers that died before they reported; reads the rows
+ * afterwards. Pilots come first: they determine which others are run. */
 static hawser_status part_run(hawser_study *s, const char *dir, const hawser_study_options *o,
                               const hawser_study_cluster *on, int pilots, hawser_error *err)
 {
@@ -121,7 +121,7 @@ static hawser_status parts_run(hawser_study *s, const char *dir, const hawser_st
     return status ? status : part_run(s, dir, o, on, 0, err);
 }
 
-/* The folder becomes ours, and what it has is read. */
+/* Locks the folder and reads its contents. */
 static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, int slurm, OutDir *folder,
                                   hawser_error *err)
 {
@@ -134,8 +134,8 @@ static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, i
     return status ? status : store_begin(s->study, dir, fresh, err);
 }
 
-/* In a folder that is ours for as long as this lasts. A study that is stopped gets its tables too; the first error
- * counts. Of several ranks the first has the folder and makes the tables. */
+/* Runs the study in a locked folder. A stopped study gets its tables too; the first error counts. With several ranks
+ * the first holds the folder and writes the tables. */
 hawser_status hawser_study_run_on(hawser_study *s, const char *dir, const hawser_study_options *options,
                                   const hawser_study_cluster *cluster, hawser_error *err)
 {
@@ -176,7 +176,7 @@ hawser_status hawser_study_task(hawser_study *s, const char *dir, int task, cons
     return slurm_task(s->study, dir, task, options ? options : &usual, err ? err : &local);
 }
 
-/* The folder and the name of a file's path; dir[OUT_PATH_MAX]. */
+/* Splits a file's path into folder and name; dir[OUT_PATH_MAX]. */
 static const char *path_split(const char *path, char *dir)
 {
     const char *const slash = strrchr(path, '/');
@@ -185,7 +185,7 @@ static const char *path_split(const char *path, char *dir)
     return slash ? slash + 1 : path;
 }
 
-/* Bands of pilots are found again, since the answer tells them. */
+/* Writes the report again. The bands of pilots are recomputed, since the answer contains them. */
 hawser_status hawser_study_report(const char *dir, const char *page, hawser_error *err)
 {
     char path[OUT_PATH_MAX], folder[OUT_PATH_MAX];

@@ -19,7 +19,7 @@
 
 const char *parameter_column(const Parameter *p, char name[COLUMN_NAME_MAX])
 {
-    const char *const unit = parameter_is_number(p) ? p->unit : ""; /* texts have their own */
+    const char *const unit = parameter_is_number(p) ? p->unit : ""; /* texts contain their own */
     int n = snprintf(name, COLUMN_NAME_MAX, "%.100s%s", p->name, *unit ? "_" : "");
     for (const char *c = unit; *c && n < COLUMN_NAME_MAX - 8; c++) {
         if (*c == '/') n += snprintf(name + n, 8, "_per_");
@@ -39,7 +39,7 @@ const char *quantity_column(const Study *s, int q, char name[COLUMN_NAME_MAX])
 
 /* -------------------------------------------------------------------------------------------------------- columns */
 
-/* What a column shows, in the table's order. */
+/* Kinds of columns, in the table's order. */
 typedef enum ColumnOf {
     OF_PARAMETER,
     OF_ANSWER,
@@ -52,7 +52,7 @@ typedef enum ColumnOf {
     COLUMN_OFS
 } ColumnOf;
 
-/* How many there are of a kind; limits that no sample has are left out by the caller. */
+/* Number of columns of a kind; the caller leaves out limits that no sample has. */
 static int columns_of(const Study *s, ColumnOf of)
 {
     return of == OF_PARAMETER  ? s->n_parameters
@@ -71,7 +71,7 @@ static const char *column_name(const Study *s, ColumnOf of, int k, char name[COL
     return of == OF_MARGIN ? name : fixed[of];
 }
 
-/* Whether it has anything to say. */
+/* Checks whether the column has any value. */
 static int column_is_there(const Rows *rows, ColumnOf of, int k)
 {
     if (of != OF_MARGIN) return 1;
@@ -81,7 +81,7 @@ static int column_is_there(const Rows *rows, ColumnOf of, int k)
     return 0;
 }
 
-/* A row's cell; x: its point. */
+/* Cell of a row; x: its point. */
 static Cell cell_of(const Study *s, const Rows *rows, const Row *row, const double *x, ColumnOf of, int k)
 {
     static const char *const answers[] = {"theory", "run"};
@@ -140,7 +140,7 @@ static hawser_status csv_row(const Study *s, const Rows *rows, long i, const int
     return status ? status : out_end_row(out, err);
 }
 
-/* Which of all columns are written, in the table's order. */
+/* Marks the columns that are written, in the table's order. */
 static int *columns_there(const Study *s, const Rows *rows)
 {
     int *const there = calloc((size_t)(s->n_parameters + s->n_quantities + LIMIT_KINDS + COLUMN_OFS), sizeof *there);
@@ -150,7 +150,7 @@ static int *columns_there(const Study *s, const Rows *rows)
     return there;
 }
 
-/* A table has its name once it is whole: until then what an earlier call wrote stays. */
+/* Writes samples.csv. A table gets its name once it is complete: until then an earlier one stays. */
 hawser_status table_csv(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err)
 {
     OutFile out;
@@ -177,7 +177,7 @@ static int column_is_text(const Study *s, ColumnOf of, int k)
     return of != OF_QUANTITY && of != OF_MARGIN;
 }
 
-/* One set of numbers or of texts of one size. */
+/* Writes one data set of numbers, or of texts of one size. */
 static int set_write(hid_t file, const char *name, long n, size_t text, const void *values)
 {
     const hsize_t dim = (hsize_t)n;
@@ -185,7 +185,7 @@ static int set_write(hid_t file, const char *name, long n, size_t text, const vo
     const hid_t type = H5Tcopy(text ? H5T_C_S1 : H5T_NATIVE_DOUBLE);
     if (text) H5Tset_size(type, text);
     const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_obj_track_times(plist, 0); /* the same study, the same bytes */
+    H5Pset_obj_track_times(plist, 0); /* identical bytes for the same study */
     const hid_t set = H5Dcreate2(file, name, text ? type : H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
     const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
     if (set >= 0) H5Dclose(set);
@@ -195,7 +195,7 @@ static int set_write(hid_t file, const char *name, long n, size_t text, const vo
     return ok;
 }
 
-/* The rows that are there, as they stand in the file. */
+/* The available rows in the file's order. */
 typedef struct Kept {
     long n, *sample;
     double *number; /* [n] scratch */
@@ -203,14 +203,14 @@ typedef struct Kept {
 } Kept;
 enum { COLUMN_TEXT_SIZE = REASON_MAX };
 
-/* The rows' cells of a column; texts are as long as the longest of them. */
+/* Writes the cells of a column; texts are as long as the longest of them. */
 static int set_of_column(hid_t file, const Study *s, const Rows *rows, const Kept *kept, ColumnOf of, int k)
 {
     char name[COLUMN_NAME_MAX], set[COLUMN_NAME_MAX];
     const int text = column_is_text(s, of, k);
     size_t size = 1;
     snprintf(set, sizeof set, "%s", column_name(s, of, k, name));
-    for (char *c = set; *c; c++) *c = *c == '/' ? '|' : *c; /* which would be a group */
+    for (char *c = set; *c; c++) *c = *c == '/' ? '|' : *c; /* in HDF5 a slash denotes a group */
     for (int pass = !text; pass < 2; pass++) {
         for (long i = 0; i < kept->n; i++) {
             double x[PARAMETERS_MAX];
@@ -256,8 +256,8 @@ static void kept_free(Kept *kept)
     free(kept->text);
 }
 
-/* HDF5 stays silent; what the disk says comes from its driver. It does not survive an allocation that fails, so that it
- * is asked before whether there is memory: it takes less than 1 MB. */
+/* Writes the file. HDF5 prints no messages; disk errors come from its driver. It does not survive a failed allocation,
+ * so that memory is checked before: it takes less than 1 MB. */
 static hawser_status file_write(const Study *s, const Rows *rows, const Kept *kept, int fd, const char *path,
                                 hawser_error *err)
 {
@@ -298,7 +298,7 @@ hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, haws
     return out_name_in(dir, part, "study.h5", status, err);
 }
 #else
-/* samples.csv has all of it. */
+/* samples.csv contains everything. */
 hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err)
 {
     (void)s, (void)rows, (void)dir, (void)err;

@@ -1,9 +1,8 @@
-/* Workers' files: rows of one size, each with a check sum, appended and never changed. A row that is cut
- * off or damaged counts as not there. */
+/* Workers' files: rows of one size, each with a checksum, appended and never changed. A truncated or damaged row counts
+ * as missing. */
 #define _GNU_SOURCE /* scandirat */
-/* Worker processes. They take samples one after the other from a counter that all share; the parent waits, restarts
- * workers that died, ends those that take too long, and writes the row for them. A worker ends with its parent, however
- * that ends. */
+/* Worker processes. They take samples one by one from a shared counter; the parent waits, restarts workers that died,
+ * ends those that take too long, and writes the row for them. A worker ends with its parent in any case. */
 #define _GNU_SOURCE /* prctl */
 #include <dirent.h>
 #include <errno.h>
@@ -31,7 +30,7 @@
 
 enum { IDENTITY_MAX = 128, RECORD_MAX = 1 << 16, OWNER_MOST = 1 << 16 };
 
-/* The line by which a folder knows whose it is. */
+/* Writes the line that identifies a folder's study. */
 static hawser_status identity_say(const Study *s, char text[IDENTITY_MAX], hawser_error *err)
 {
     uint64_t h = 0;
@@ -77,14 +76,14 @@ static int is_rows(const struct dirent *entry)
     return n > end && strcmp(entry->d_name + n - end, ENDING) == 0;
 }
 
-/* A file of rows that cannot be "read" or "written". */
+/* Sets the error of a file of rows that cannot be "read" or "written". */
 static hawser_status rows_error(const char *what, const char *path, int number, hawser_error *err)
 {
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.700s': %s", what, path, file_reason(number));
 }
 
-/* Calls `with` on every file of rows in dir/workers, in the order of their names, until one returns another number than
- * 0, which is why the file cannot be done `what` with. Errors: OUTPUT, MEMORY. */
+/* Calls `with` on every file of rows in dir/workers, by name, until one returns an error number, which becomes the
+ * reason; `what`: the failed operation. Errors: OUTPUT, MEMORY. */
 typedef int (*RowsFile)(void *user, const OutDir *workers, const char *name);
 
 static hawser_status files_each(const char *dir, const char *what, RowsFile with, void *user, hawser_error *err)
@@ -176,13 +175,13 @@ int store_append(int fd, const Row *row, const double *value, int width)
         if (n > 0) done += (size_t)n;
         if (n > 0 || errno == EINTR) continue;
         const int why = errno ? errno : ENOSPC;
-        /* a part of a row would make all that are added later unreadable */
+        /* a partial row would make all later ones unreadable */
         return done > 0 && ftruncate(fd, before.st_size) ? errno : why;
     }
     return 0;
 }
 
-/* Whether a record is as it was written. */
+/* Checks a record's checksum. */
 static int record_is_sound(const char *record, size_t size)
 {
     Hash h;
@@ -192,7 +191,7 @@ static int record_is_sound(const char *record, size_t size)
 
 static int within(int32_t value, int least, int most) { return value >= least && value <= most; }
 
-/* Whether it says what a row can say: its sum only tells that it is as somebody wrote it. */
+/* Checks that a row's values are possible: its checksum only shows that it is unchanged. */
 static int row_is_one(const Row *row)
 {
     return within(row->state, ROW_OPEN, ROW_DIED) && within(row->verdict, VERDICT_NONE, VERDICTS - 1) &&
@@ -200,7 +199,7 @@ static int row_is_one(const Row *row)
            within(row->limited_by, -1, LIMIT_KINDS - 1) && memchr(row->reason, 0, sizeof row->reason);
 }
 
-/* Takes a record in; an answer weighs more than none, else the first counts. */
+/* Takes a record in; an answer takes precedence over none, else the first counts. */
 static void record_take(const char *record, Rows *rows)
 {
     Row row;
@@ -221,7 +220,7 @@ int store_mend(int fd, int width)
     return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
 }
 
-/* A record that begins there; 0: the file ends before it does. < 0: errno says why nobody knows. */
+/* Reads the record at a place. Returns 0 if the file ends before the record's end; < 0: error in errno. */
 static int record_read(int fd, off_t at, size_t size, char record[RECORD_MAX])
 {
     const ssize_t n = whole_pread(fd, record, size, at);
@@ -244,7 +243,7 @@ int store_ends_with(int fd, int width, long sample, int *number)
     return row.sample == sample;
 }
 
-/* All sound records of a file. One that is cut off in its end may be on its way: who appends there next cuts it. */
+/* Takes all intact records of a file. A truncated one at its end may still be written: the next writer removes it. */
 static int records_take(void *user, const OutDir *workers, const char *name)
 {
     Rows *const rows = user;
@@ -264,7 +263,7 @@ static int records_take(void *user, const OutDir *workers, const char *name)
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
 
-/* workers/study; *text NULL: it is not there. Errors: INPUT, MEMORY. */
+/* Reads workers/study; *text NULL: it does not exist. Errors: INPUT, MEMORY. */
 static hawser_status owner_read(const char *dir, char **text, hawser_error *err)
 {
     OutDir workers;
@@ -279,7 +278,7 @@ static hawser_status owner_read(const char *dir, char **text, hawser_error *err)
     return status;
 }
 
-/* Whose the files are: 1 this study's, 0 there are none, -1 another's. */
+/* Finds the owner of the files: 1 this study, 0 no files, -1 another study. */
 static hawser_status owner_find(const Study *s, const char *dir, int *own, hawser_error *err)
 {
     char mine[IDENTITY_MAX], *text;
@@ -292,7 +291,7 @@ static hawser_status owner_find(const Study *s, const char *dir, int *own, hawse
     return status;
 }
 
-/* A row of a search at a point that the study does not have is not computed yet: a choice is one of its choices. */
+/* Resets rows of a search at impossible points to not computed: a choice must be one of its choices. */
 static void points_look(const Study *s, Rows *rows)
 {
     for (long i = 0; i < rows->n; i++) {
@@ -340,7 +339,7 @@ static int file_remove(void *user, const OutDir *workers, const char *name)
     return file_remove_in(workers->at, name) ? 0 : errno;
 }
 
-/* workers/study: whose rows these are, and which file that was. */
+/* Writes workers/study: the identity of the rows' study, and its file. */
 static hawser_status owner_write(const Study *s, const OutDir *workers, hawser_error *err)
 {
     char text[IDENTITY_MAX], path[PATH_MAX], whole[IDENTITY_MAX + PATH_MAX];
@@ -407,24 +406,24 @@ hawser_status store_name(const Study *s, const char *dir, char name[STORE_NAME_M
     return status;
 }
 
-/* s: between looks at the workers, between words to the caller, between syncs of a worker's file. */
+/* s: interval of checks of the workers, of calls to the caller, of syncs of a worker's file. */
 static const double LOOK = 0.01, TELL = 0.25, SYNC = 1;
 
 enum { JOBS_MAX = 1024, WORKER_OUTPUT = 4, WORKER_MEMORY = 5, WORKER_OTHER = 6, IDLE_DEATHS_MAX = 10 };
 
-/* What a worker and the parent tell each other. */
+/* Shared data of a worker and the parent. */
 typedef struct Slot {
-    _Atomic long unit;                   /* a search that is on its way; -1: none */
-    _Atomic long sample;                 /* being computed; -1: none */
-    double point[PARAMETERS_MAX];        /* where that is */
+    _Atomic long unit;                   /* the present search; -1: none */
+    _Atomic long sample;                 /* the present sample; -1: none */
+    double point[PARAMETERS_MAX];        /* its point */
     _Atomic long done, failed, not_safe; /* in this start of the study */
-    _Atomic double since;                /* clock_now() when it was begun */
-    _Atomic double busy;                 /* s of wall time with samples */
+    _Atomic double since;                /* clock_now() at its start */
+    _Atomic double busy;                 /* s of wall time in samples */
     _Atomic int number;                  /* errno of a row that could not be written */
 } Slot;
 
 typedef struct Board {
-    _Atomic uint64_t range; /* of the units that are to be had: the next one, shifted by 32, and the end */
+    _Atomic uint64_t range; /* available units: the next one, shifted by 32, and the end */
     _Atomic int closed;     /* there will be no more */
     Slot slot[];            /* [jobs] */
 } Board;
@@ -435,17 +434,17 @@ typedef struct Engine {
     int jobs;
     Rows *rows;
     const Units *units;
-    const Feed *feed; /* NULL: all units at once */
+    const Feed *feed; /* NULL: all units are available */
     Board *board;
     size_t board_size;
     pid_t pid[JOBS_MAX], parent; /* 0: this worker is over */
     int killed[JOBS_MAX];        /* because of the time limit */
-    int idle_deaths;             /* workers that ended without a sample and without a reason */
+    int idle_deaths;             /* number of workers that ended without a sample and without a reason */
 } Engine;
 
 /* ------------------------------------------------------------------------------------------------------ in a worker */
 
-/* Nothing but the parent ends a worker; its memory is limited where the study says so. */
+/* Prepares a worker: only the parent ends it, and its memory is limited if the study gives a limit. */
 static void worker_settle(const Engine *e)
 {
     const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
@@ -464,15 +463,15 @@ static void count_row(Slot *slot, const Row *row)
     if (row->verdict == VERDICT_NOT_SAFE) slot->not_safe++;
 }
 
-/* A worker at work. */
+/* State of a worker. */
 typedef struct Worker {
     const Engine *engine;
     Slot *slot;
-    int fd, number; /* its file; errno of what went wrong */
+    int fd, number; /* its file; errno of an error */
     double synced;
 } Worker;
 
-/* Computes sample i at x and writes its row. Returns 0 if that cannot be done. */
+/* Computes sample i at x and writes its row. Returns 0 on failure. */
 static int sample_compute(void *user, long i, const double *x, Row *row, double *value)
 {
     Worker *const w = user;
@@ -499,7 +498,7 @@ static uint64_t range_of(long from, long to) { return (uint64_t)from << 32 | (ui
 
 static int range_is_empty(uint64_t range) { return range >> 32 == (range & UINT32_MAX); }
 
-/* The place in the list of a unit that nobody else gets; < 0: there are no more. Waits where there may be. */
+/* Claims the place of a unit in the list; < 0: there are no more. Waits while more may come. */
 static long unit_claim(Board *b)
 {
     const struct timespec pause = {.tv_nsec = 1000000};
@@ -510,7 +509,7 @@ static long unit_claim(Board *b)
                 return (long)(range >> 32);
             continue;
         }
-        const int closed = b->closed; /* before the range, which may have been filled just before */
+        const int closed = b->closed; /* read before the range, which may have been filled just before */
         range = b->range;
         if (!range_is_empty(range)) continue;
         if (closed) return -1;
@@ -518,7 +517,7 @@ static long unit_claim(Board *b)
     }
 }
 
-/* A sample, or a search with all of its samples that are open. */
+/* Computes a sample, or a search with all its open samples. */
 static void unit_compute(Worker *w, long unit, double *value)
 {
     const Engine *const e = w->engine;
@@ -540,7 +539,7 @@ static void unit_compute(Worker *w, long unit, double *value)
     if (!w->number) w->slot->unit = -1;
 }
 
-/* Unit after unit until there are no more; first that which a worker before left unfinished. */
+/* Computes units until there are no more; first the one that an earlier worker left unfinished. */
 static _Noreturn void work(const Engine *e, int k)
 {
     Slot *const slot = &e->board->slot[k];
@@ -551,7 +550,7 @@ static _Noreturn void work(const Engine *e, int k)
     if (!w.number && slot->unit >= 0) unit_compute(&w, slot->unit, value);
     for (long at; !w.number && (at = unit_claim(e->board)) >= 0;)
         unit_compute(&w, e->units->unit ? e->units->unit[at] : at, value);
-    if (!w.number && fdatasync(w.fd) && errno != EINVAL) w.number = errno; /* pipes and the like know no sync */
+    if (!w.number && fdatasync(w.fd) && errno != EINVAL) w.number = errno; /* pipes and the like do not support sync */
     slot->number = w.number;
     _exit(w.number ? WORKER_OUTPUT : 0);
 }
@@ -563,7 +562,7 @@ static hawser_status worker_start(Engine *e, int k, hawser_error *err)
 {
     e->board->slot[k].sample = -1;
     e->killed[k] = 0;
-    fflush(NULL); /* nothing is written twice */
+    fflush(NULL); /* avoids duplicate output */
     e->pid[k] = fork();
     if (e->pid[k] == 0) {
         worker_settle(e);
@@ -574,7 +573,7 @@ static hawser_status worker_start(Engine *e, int k, hawser_error *err)
     return error_set(err, HAWSER_ERR_MEMORY, "no process can be started: %s", strerror(errno));
 }
 
-/* The row of a sample that ended its worker, unless it has just been written. */
+/* Writes the row of a sample that ended its worker, unless it has just been written. */
 static int row_for(const Engine *e, int k, int wait_status)
 {
     Slot *const slot = &e->board->slot[k];
@@ -606,7 +605,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     return number;
 }
 
-/* A worker is over: by itself, or with the sample that it had, and then another takes its place. */
+/* Handles the end of a worker: by itself, or with its sample, and then another one takes its place. */
 static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error *err)
 {
     Slot *const slot = &e->board->slot[k];
@@ -623,19 +622,19 @@ static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error
     if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_MEMORY) return error_memory(err);
     if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_OTHER) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "the search does not meet the samples in '%.400s' again, which another machine has computed: "
+                         "the search does not reproduce the samples in '%.400s', which another machine has computed: "
                          "take another folder, or begin anew with --fresh",
                          e->dir);
     }
     if (slot->sample < 0 && ++e->idle_deaths > IDLE_DEATHS_MAX)
-        return error_set(err, HAWSER_ERR_MEMORY, "workers end before they begin: is 'memory' too small?");
+        return error_set(err, HAWSER_ERR_MEMORY, "workers end before their first sample: is 'memory' too small?");
     const int over = e->board->closed && range_is_empty(e->board->range);
     if (slot->unit < 0) return over ? HAWSER_OK : worker_start(e, k, err);
     const hawser_status status = store_take(e->dir, e->crew, k, e->rows, err);
     return status ? status : worker_start(e, k, err);
 }
 
-/* One look at all workers. *running: how many there are afterwards. */
+/* Checks all workers once. *running: their number afterwards. */
 static hawser_status workers_look(Engine *e, int *running, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -667,7 +666,7 @@ static void workers_end(Engine *e)
     }
 }
 
-/* What is there by now; `before`: rows of earlier starts. */
+/* Present state; `before`: rows of earlier starts. */
 static hawser_study_state state_now(const Engine *e, const hawser_study_state *before, double wall)
 {
     hawser_study_state now = *before;
@@ -682,7 +681,7 @@ static hawser_study_state state_now(const Engine *e, const hawser_study_state *b
     return now;
 }
 
-/* What the workers may take next, where several engines share the units. */
+/* Makes further units available if several engines share them. */
 static hawser_status workers_feed(Engine *e, hawser_study_state *state, hawser_error *err)
 {
     long from, to;
@@ -694,7 +693,7 @@ static hawser_status workers_feed(Engine *e, hawser_study_state *state, hawser_e
     return fed == FED_STOP ? error_set(err, HAWSER_STOPPED, "stopped by another rank") : HAWSER_OK;
 }
 
-/* Until all workers are over, or the caller has enough. */
+/* Waits until all workers are over, or the caller stops them. */
 static hawser_status wait_all(Engine *e, const hawser_study_options *options, const hawser_study_state *before,
                               hawser_error *err)
 {
@@ -712,14 +711,14 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
         if (status || !options->progress || (running && now - told < TELL)) continue;
         told = now;
         if (options->progress(options->user, &state) && running)
-            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command goes on",
+            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command continues",
                                state.done, state.samples);
     }
     workers_end(e);
     return status;
 }
 
-/* A search that asks for a sample has one open. */
+/* Records that a search needs a sample, so that it is open. */
 static int note_open(void *user, long i, const double *x, Row *row, double *value)
 {
     (void)i, (void)x, (void)row, (void)value;
@@ -727,8 +726,8 @@ static int note_open(void *user, long i, const double *x, Row *row, double *valu
     return 0;
 }
 
-/* Whether a search is not at its end, by going through the samples that are there; one that meets another's is open
- * too, so that it is computed and complains. */
+/* Checks whether a search is incomplete, by repeating it with the available samples; one that finds another search's
+ * samples is open too, so that it is computed and reports it. */
 static int search_is_open(const Study *s, long c, const Rows *rows)
 {
     int open = 0, other = 0;

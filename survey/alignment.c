@@ -7,13 +7,13 @@
 
 #include "core/error.h"
 
-/* ---------------------------------------------------------------------------------------------- lists that grow */
+/* ---------------------------------------------------------------------------------------------- growing lists */
 
 void *survey_one_more(void *array, int *n, size_t size)
 {
     void **const list = array;
     if (*n >= SURVEY_MOST) return NULL;
-    if ((*n & (*n - 1)) == 0) { /* full: 0, 1, 2, 4, ... are in use */
+    if ((*n & (*n - 1)) == 0) { /* full: the number in use is 0, 1, 2, 4, ... */
         const size_t room = *n ? 2 * (size_t)*n : 1;
         void *const wider = realloc(*list, room * size);
         if (!wider) return NULL;
@@ -119,7 +119,7 @@ void survey_clear(Survey *s)
     *s = (Survey){0};
 }
 
-/* n items of `size` bytes, in as much room as one_more counts on. */
+/* Copies n items of `size` bytes, with as much space as survey_one_more assumes. */
 static int list_copy(const void *from, int n, size_t size, void *to)
 {
     size_t room = 1;
@@ -144,9 +144,9 @@ int alignment_copy(const Alignment *from, Alignment *to)
     return 0;
 }
 
-/* --------------------------------------------------------------------------------------------------- where it is */
+/* --------------------------------------------------------------------------------------------------- places */
 
-/* The last of n things that begin at or before s; start: where each begins, `stride` bytes apart. */
+/* The last of n items that begin at or before s; start: the first item's start, `stride` bytes apart. */
 static double plan_length(const Alignment *a)
 {
     double sum = 0;
@@ -157,7 +157,7 @@ static double plan_length(const Alignment *a)
     return sum;
 }
 
-/* Beyond an element's ends it goes on straight. */
+/* Place on an element; it continues straight beyond its ends. */
 static PlanElement plan_beyond(const PlanElement *e, double s)
 {
     PlanElement at = plan_at(e, fmin(fmax(s, 0), e->length));
@@ -176,7 +176,7 @@ static ProfileElement profile_beyond(const ProfileElement *e, double s)
     return at;
 }
 
-/* Between two corners, s metres in plan from the first; points above each other stand one behind the other. */
+/* Place between two corners, s metres in plan from the first; for points above each other it is the first one's. */
 static AlignmentPlace between(const Vec3 *a, double s)
 {
     const Vec3 way = v3_sub(a[1], a[0]);
@@ -229,8 +229,8 @@ static double element_length(const ProfileElement *e, double to)
     return (0.5 * (at * sqrt(1 + at * at) - from * sqrt(1 + from * from)) + 0.5 * (asinh(at) - asinh(from))) / e->bend;
 }
 
-/* Of the whole, which is `plan` metres long in plan: the profile's first and last grade go on; what it has beyond the
- * line's ends does not count. */
+/* Length in space of the whole line, which is `plan` metres long in plan: the profile's first and last grade continue;
+ * its parts beyond the line's ends do not count. */
 static double space_length(const Alignment *a, double plan)
 {
     double sum = 0;
@@ -254,7 +254,7 @@ static double space_length(const Alignment *a, double plan)
     return sum;
 }
 
-/* The jump from one element's end to the next one's start. */
+/* Measures the jump from one element's end to the next one's start. */
 static void joint_measure(const PlanElement *e, AlignmentMeasure *m)
 {
     const PlanElement end = plan_at(e, e->length);
@@ -311,22 +311,23 @@ void alignment_reverse(Alignment *a)
 
 /* Elements in plan: (AL1), (AL2) of docs/model/16-alignments.md. */
 
-/* Gauss-Legendre, eight points on [-1, 1]: exact for polynomials up to degree 15. */
+/* Nodes and weights of Gauss-Legendre, eight points on [-1, 1]: exact for polynomials up to degree 15. */
 static const double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 
 static const double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
 static const double TURN = 6.28318530717958647692;
 
-enum { PARTS_MOST = 4000 }; /* of what turns 300 times; files with more than 100 are refused (survey/read) */
+enum { PARTS_MOST = 4000 }; /* for 300 turns; files with more than 100 are refused (survey/read) */
 
-/* The heading s metres on, (AL1). */
+/* Heading s metres from the start, (AL1). */
 static double heading_at(const PlanElement *e, double s)
 {
     return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
 }
 
-/* The way from s to s + h, over which the heading changes by less than half a radian: error below 1e-15 h. */
+/* Adds the displacement from s to s + h, over which the heading changes by less than half a radian: error below 1e-15
+ * h. */
 static void way_add(const PlanElement *e, double s, double h, double *x, double *y)
 {
     for (int i = 0; i < 8; ++i) {
@@ -342,7 +343,8 @@ PlanElement plan_at(const PlanElement *e, double s)
     PlanElement at = *e;
     const double rate = (e->k1 - e->k0) / e->length;
     const double rounds = trunc(s * e->k0 / TURN);
-    const double way = rate == 0 && rounds != 0 ? s - rounds * TURN / e->k0 : s; /* after a circle it is where it was */
+    const double way =
+        rate == 0 && rounds != 0 ? s - rounds * TURN / e->k0 : s; /* a full circle leads back to the same place */
     const double turn = fabs(way) * fmax(fabs(e->k0), fabs(e->k0 + way * rate));
     const int parts = (int)fmin(PARTS_MOST, 1 + 2 * turn);
     for (int i = 0; i < parts; ++i) way_add(e, i * way / parts, way / parts, &at.x, &at.y);
@@ -363,7 +365,7 @@ void alignment_chain(Alignment *a)
 
 /* Elements of a profile: (AL3)-(AL5) of docs/model/16-alignments.md. */
 
-/* Sine of the slope where dz/ds is the grade. */
+/* Sine of the slope for the grade dz/ds. */
 static double sine(double grade) { return grade / sqrt(1 + grade * grade); }
 
 ProfileElement profile_at(const ProfileElement *e, double s)
@@ -382,7 +384,7 @@ ProfileElement profile_at(const ProfileElement *e, double s)
     return at;
 }
 
-/* How far in plan the curve at corner i reaches on its side: -1 before it, 1 behind it. */
+/* Length in plan of the curve at a corner on one side: -1 before it, 1 after it. */
 static double reach(const ProfileCorner *c, double in, double out, int side)
 {
     if (c->radius <= 0) return side < 0 ? c->before : c->after;
@@ -399,7 +401,7 @@ static int element_add(Alignment *a, RouteProfileKind kind, double station, doub
     return e != NULL;
 }
 
-/* The curve at a corner: one arc, or a parabola on either side that meets the other at the corner's station. */
+/* Adds the curve at a corner: one arc, or two parabolas that meet at the corner's station. */
 static int curve_add(Alignment *a, const ProfileCorner *c, double in, double out)
 {
     const double before = reach(c, in, out, -1), after = reach(c, in, out, 1), all = before + after;
@@ -417,7 +419,7 @@ static int curve_add(Alignment *a, const ProfileCorner *c, double in, double out
 
 hawser_status profile_from_corners(Alignment *a, int n, const ProfileCorner *corner, hawser_error *err)
 {
-    double end = -INFINITY; /* of the curve before */
+    double end = -INFINITY; /* end of the last curve */
     double in = NAN;        /* grade */
     for (int i = 0; i < n; ++i) {
         const ProfileCorner *const c = &corner[i];
@@ -450,9 +452,9 @@ hawser_status profile_from_corners(Alignment *a, int n, const ProfileCorner *cor
 
 /* From corners to straights and arcs: (AL13) of docs/model/16-alignments.md. */
 
-static const double STRAIGHT = 1e-6; /* rad: what turns less is no corner */
+static const double STRAIGHT = 1e-6; /* rad: smaller turns are no corners */
 
-/* A corner between two legs. */
+/* A leg between two corners. */
 typedef struct Leg {
     double length, heading; /* m, rad */
 } Leg;
@@ -471,7 +473,7 @@ static hawser_status legs_make(int n, const PlanCorner *corner, Leg *leg, int *w
     return HAWSER_OK;
 }
 
-/* m, that the arc at corner i takes of either leg; NAN with the reason: it has no radius. */
+/* Length that the arc at corner i takes of either leg, m; NAN with the reason if it has no radius. */
 static double tangent_at(const PlanCorner *corner, const Leg *leg, int i, hawser_error *err)
 {
     const double turn = fabs(turn_at(&leg[i - 1], &leg[i])), half = tan(turn / 2);
@@ -515,7 +517,7 @@ static hawser_status arcs_add(Alignment *a, int n, const PlanCorner *corner, con
     return HAWSER_OK;
 }
 
-/* Heights of corners count at the middle of their arcs. */
+/* Adds a profile; heights of corners apply at the middle of their arcs. */
 static hawser_status grades_add(Alignment *a, int n, const PlanCorner *corner, const Leg *leg, const double *tangent,
                                 hawser_error *err)
 {
@@ -587,7 +589,7 @@ double corners_radius(int n, const Vec3 *point, double least, int *corners, doub
 
 /* A part of an alignment. */
 
-/* What is left of an element or straight is dropped below this, m: a rounded station is where the element ends. */
+/* Shortest remainder of an element or straight that is kept, m: a rounded station is the element's end. */
 static const double LEAST = 1e-4;
 
 static void plan_cut(Alignment *a, double from, double to)
@@ -607,12 +609,12 @@ static void plan_cut(Alignment *a, double from, double to)
     a->n_plan = n;
 }
 
-/* Where the part begins behind an element's end, or lies before the first one, that element's grade goes on, as it does
- * on the whole line. */
+/* Cuts the profile. If the part begins after an element's end, or before the first one, that element's grade continues,
+ * as on the whole line. */
 static void profile_cut(Alignment *a, double from, double to)
 {
     const AlignmentPlace at = alignment_at(a, from);
-    int n = 0, last = 0, first = -1; /* the element whose grade is that of `from`, and the first one that is kept */
+    int n = 0, last = 0, first = -1; /* the element that gives the grade at `from`, and the first one that is kept */
     while (last + 1 < a->n_profile && from >= a->profile[last + 1].station) ++last;
     for (int i = 0; i < a->n_profile; ++i) {
         const ProfileElement e = a->profile[i];
@@ -626,14 +628,14 @@ static void profile_cut(Alignment *a, double from, double to)
     }
     const double lead = n ? a->profile[0].station : to - from;
     if (a->n_profile > 0 && first != last && lead >= LEAST) {
-        memmove(a->profile + 1, a->profile, (size_t)n * sizeof *a->profile); /* there is room: `last` is not kept */
+        memmove(a->profile + 1, a->profile, (size_t)n * sizeof *a->profile); /* there is space: `last` is not kept */
         a->profile[0] = (ProfileElement){.length = lead, .z = at.at.z, .grade = at.grade};
         ++n;
     }
     a->n_profile = n;
 }
 
-/* Corners between the ends, and both ends. */
+/* Cuts a line of points: the corners between the ends, and both ends. */
 static hawser_status points_cut(Alignment *a, double from, double to, hawser_error *err)
 {
     Vec3 *const point = malloc((size_t)(a->n_points + 2) * sizeof *point);
@@ -652,7 +654,7 @@ static hawser_status points_cut(Alignment *a, double from, double to, hawser_err
             point[n++] = v3_axpy(a->point[i], fmin((to - s) / length, 1), way);
         s += length;
     }
-    for (int i = 0; i < n; ++i) a->point[i] = point[i]; /* never more than there were: the ends stand for corners */
+    for (int i = 0; i < n; ++i) a->point[i] = point[i]; /* never more than before: the ends replace corners */
     a->n_points = n;
     free(point);
     return HAWSER_OK;

@@ -1,6 +1,6 @@
-/* Linear equations whose matrix has entries near its diagonal only, in doubles, with row exchanges. A matrix of n rows
- * with entries at most `half` columns from the diagonal is stored by rows of 3 half + 1: entry (i, j) at
- * [i][j - i + half]; the last third is room for what the exchanges fill in. */
+/* Linear equations with a band matrix, in doubles, with row exchanges. A matrix of n rows with entries at most `half`
+ * columns from the diagonal is stored by rows of 3 half + 1: entry (i, j) at [i][j - i + half]; the last third is for
+ * fill-in by the exchanges. */
 #ifndef HAWSER_SURVEY_BAND_H
 #define HAWSER_SURVEY_BAND_H
 
@@ -12,7 +12,7 @@ static inline double *band_at(double *a, int half, int i, int j)
     return &a[(size_t)i * (size_t)(3 * half + 1) + (size_t)(j - i + half)];
 }
 
-/* Row i and row k >= i change places from column i on. */
+/* Exchanges row i and row k >= i from column i on. */
 static inline void band_swap(double *a, int half, int i, int k, int last)
 {
     for (int j = i; j <= last; ++j) {
@@ -22,7 +22,7 @@ static inline void band_swap(double *a, int half, int i, int k, int last)
     }
 }
 
-/* Solves a x = b; b becomes x, a is used up. 0: singular. */
+/* Solves a x = b; b becomes x, a is overwritten. Returns 0 if it is singular. */
 static inline int band_solve(int n, int half, double *a, double *b)
 {
     for (int i = 0; i < n; ++i) {

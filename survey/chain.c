@@ -9,15 +9,15 @@
 
 static double chain_squares(int m, const Node *node, const Foot *foot);
 
-/* Unknowns of a piece: x, y, heading, length, k0, k1; its multipliers: two of its kind, four of the joint behind it. */
+/* Unknowns of a piece: x, y, heading, length, k0, k1; its multipliers: two of its kind, four of the joint after it. */
 enum { UNKNOWNS = 6, KIND = 6, JOINT = 8, TIE = 11, BLOCK = 12, HALF = 11 };
 
 /* ------------------------------------------------------------------------------------------------ along a piece */
 
-/* A place on a piece: where, and the integrals of s n and s2 n up to it, n the normal to the left. */
+/* A place on a piece, and the integrals of s n and s2 n up to it, n the normal to the left. */
 typedef struct Along {
     double s, x, y, curvature, rate; /* rate: 1/m2, of the curvature */
-    int straight;                    /* but for what rounding leaves */
+    int straight;                    /* up to rounding */
     double t[2];                     /* the tangent */
     double first[2], second[2];
 } Along;
@@ -37,7 +37,7 @@ static double heading_at(const PlanElement *e, double s)
     return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
 }
 
-/* ds on along a straight, whose integrals are powers. */
+/* Moves along a straight by ds; its integrals are powers. */
 static void go_straight(double ds, Along *a)
 {
     const double from = a->s, to = from + ds;
@@ -51,7 +51,7 @@ static void go_straight(double ds, Along *a)
     a->s = to;
 }
 
-/* Cosine and sine of a small angle, |angle| < 0.3: Taylor's sums, error below 1e-12. */
+/* Computes cosine and sine of a small angle, |angle| < 0.3, by Taylor's series, error below 1e-12. */
 static inline void turn_small(double angle, double *c, double *n)
 {
     const double q = angle * angle;
@@ -65,8 +65,8 @@ static inline void rotate(const double t[2], double along, double left, double o
     out[1] = t[1] * along + t[0] * left;
 }
 
-/* A part of length h, |turn| < 0.5, from where it is on, by a Gauss-Legendre sum of n points: sums of the tangent, of s
- * and of s2 times it, along and to the left of the tangent in the middle. */
+/* Moves by a part of length h, |turn| < 0.5, with n Gauss-Legendre points: sums of the tangent, and of s and s2 times
+ * it, along and to the left of the tangent in the middle. */
 static inline void go_part(double h, int n, Along *a)
 {
     static const double node[][4] = {
@@ -106,7 +106,8 @@ static inline void go_part(double h, int n, Along *a)
     a->curvature += h * rate;
 }
 
-/* ds on, or back. Parts turn by less than half a radian, and small turns need fewer points: error below 1e-11 ds. */
+/* Moves by ds, forward or back. Parts turn by less than half a radian, and small turns need fewer points: error below
+ * 1e-11 ds. */
 static void go(double ds, Along *a)
 {
     if (a->straight) {
@@ -116,7 +117,7 @@ static void go(double ds, Along *a)
     const double from = fabs(a->curvature), to = fabs(a->curvature + ds * a->rate);
     const double turn = fabs(ds) * (from > to ? from : to);
     const int parts = turn < 0.5 ? 1 : turn < 500 ? (int)(1 + 2 * turn) : 1000;
-    if (turn < 1e-2) /* numbers of points that the compiler knows */
+    if (turn < 1e-2) /* compile-time numbers of points */
         go_part(ds, 2, a);
     else if (turn < 0.15)
         go_part(ds, 3, a);
@@ -124,7 +125,7 @@ static void go(double ds, Along *a)
         for (int i = 0; i < parts; ++i) go_part(ds / parts, 4, a);
 }
 
-/* By how much the place moves along direction d with the piece's unknowns, at the same s: (FT2). */
+/* Derivatives of the place along direction d by the piece's unknowns, at the same s: (FT2). */
 static void place_row(const PlanElement *e, const Along *a, const double d[2], double row[UNKNOWNS])
 {
     const double first = d[0] * a->first[0] + d[1] * a->first[1], L = e->length;
@@ -152,8 +153,8 @@ static void row_add(Normal *q, const double row[UNKNOWNS], double weight, double
     }
 }
 
-/* Goes from where it is to the foot of a point on the endless piece: on a circle the way there is known, and a piece
- * whose curvature changes leaves that by its change times the way squared. */
+/* Moves to the foot of a point on the unbounded piece: on a circle the distance is known, and a piece with changing
+ * curvature deviates from it by the change times the square of the distance. */
 static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
 {
     const double least = 0.3;
@@ -174,7 +175,7 @@ static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
     }
 }
 
-/* The chain's end pulls at the last node, its start at the first, lengthwise too: (FT3). */
+/* Adds the longitudinal residuals: the chain's end to the last node, its start to the first: (FT3). */
 static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
 {
     Along a = piece_start(e);
@@ -185,7 +186,7 @@ static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
     row_add(q, row, p->weight, a.t[0] * (p->x - a.x) + a.t[1] * (p->y - a.y));
 }
 
-/* The place of piece q that is nearest to a point: its foot, or the piece's end. */
+/* The place of a piece nearest to a point: its foot, or the piece's end. */
 static Along nearest_on(const PlanElement *e, const Node *p)
 {
     Along a = piece_start(e);
@@ -195,8 +196,9 @@ static Along nearest_on(const PlanElement *e, const Node *p)
     return a;
 }
 
-/* While pieces do not meet yet, a place may run away along one of them: a point that is farther off than some steps
- * from point to point looks for a later piece that passes it. *q and *at become that piece and its foot. */
+/* Finds the piece of a node that is off. While pieces do not meet yet, a place may drift along one of them: for a point
+ * farther off than some steps between points, a later piece that passes it is searched. *q and *at become that piece
+ * and its foot. */
 static void lost_find(int n, const Piece *piece, const Node *p, const Node *before, int *q, Along *at)
 {
     enum { AHEAD = 6, STEPS_OFF = 4 };
@@ -214,7 +216,7 @@ static void lost_find(int n, const Piece *piece, const Node *p, const Node *befo
     }
 }
 
-/* The feet of all nodes, in their order, and what they pull by (normal: [n]). */
+/* Finds the feet of all nodes in order, and their normal equations (normal: [n]). */
 static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *foot, Normal *normal)
 {
     int q = 0;
@@ -244,14 +246,14 @@ static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *
 
 /* ------------------------------------------------------------------------------------------------------ constraints */
 
-/* A row of constraint `row`, and the same as a column. */
+/* Adds an entry of constraint `row`, and its transpose. */
 static void constrain(double *a, int row, int column, double value)
 {
     *band_at(a, HALF, row, column) += value;
     *band_at(a, HALF, column, row) += value;
 }
 
-/* Whether the piece behind p begins with the curvature with which p ends. */
+/* Checks whether the piece after p begins with the curvature at the end of p. */
 static int chain_tied(const Piece *p)
 {
     return !p[1].loose && !(p[0].kept && p[1].kept) && (p[0].kind == PIECE_CLOTHOID || p[1].kind == PIECE_CLOTHOID);
@@ -259,8 +261,8 @@ static int chain_tied(const Piece *p)
 
 static int is_fixed(const Piece *p) { return p->kind == PIECE_STRAIGHT || p->kept; }
 
-/* By how much a piece misses what its kind says of its curvatures, and the next piece's start: (FT4). In the places of
- * their multipliers, from KIND on. */
+/* Residuals of a piece's kind and of its joint to the next piece: (FT4), in the places of their multipliers, from KIND
+ * on. */
 static void misses_find(const Piece *p, int last, double miss[BLOCK])
 {
     memset(miss, 0, BLOCK * sizeof *miss);
@@ -288,7 +290,7 @@ static void kind_constrain(const Piece *p, int at, double *a)
     }
 }
 
-/* The next piece begins where this one ends. */
+/* Adds the constraint that the next piece begins where this one ends. */
 static void joint_constrain(const Piece *p, int at, double *a)
 {
     Along end = piece_start(&p->e);
@@ -307,8 +309,8 @@ static void joint_constrain(const Piece *p, int at, double *a)
     constrain(a, at + TIE, at + BLOCK + 4, -1);
 }
 
-/* Steps that the points say nothing about are not taken: a doubled length, or a curvature that moves the middle by 1 m,
- * costs as much as a node 3 mm and 10 mm away. */
+/* Damps steps that the points do not determine: a doubled length, or a curvature that moves the middle by 1 m, costs as
+ * much as a node 3 mm and 10 mm away. */
 static void damp(const PlanElement *e, double strength, double *a, int at)
 {
     const double L2 = e->length * e->length, sag = L2 / 8;
@@ -316,7 +318,7 @@ static void damp(const PlanElement *e, double strength, double *a, int at)
     for (int i = 0; i < UNKNOWNS; ++i) *band_at(a, HALF, at + i, at + i) += strength * least[i];
 }
 
-/* A multiplier without a constraint is 0. */
+/* Sets multipliers without a constraint to 0. */
 static void idle_fill(double *a, int at)
 {
     for (int i = KIND; i < BLOCK; ++i) {
@@ -326,10 +328,10 @@ static void idle_fill(double *a, int at)
     }
 }
 
-/* What a refinement works with, all [n blocks]. */
+/* Memory of a refinement, all [n blocks]. */
 typedef struct Work {
-    Normal *normal, *next; /* of the place, and of one that is tried */
-    double *a, *b, *price; /* price: what a metre of a miss costs, above its multiplier */
+    Normal *normal, *next; /* at the present place, and at a trial */
+    double *a, *b, *price; /* price: cost of a metre of residual, above its multiplier */
     Piece *before;
 } Work;
 
@@ -355,7 +357,7 @@ static void work_free(Work *w)
     free(w->before);
 }
 
-/* The matrix of Newton's equations, in w->a. */
+/* Fills the matrix of Newton's equations, in w->a. */
 static void matrix_fill(int n, const Piece *piece, double strength, Work *w)
 {
     memset(w->a, 0, (size_t)n * BLOCK * (3 * HALF + 1) * sizeof *w->a);
@@ -371,7 +373,7 @@ static void matrix_fill(int n, const Piece *piece, double strength, Work *w)
     }
 }
 
-/* The step that Newton's equations give, in w->b; 0: there is none. */
+/* Computes the step of Newton's equations in w->b; returns 0 if there is none. */
 static int step_find(int n, const Piece *piece, double strength, Work *w)
 {
     matrix_fill(n, piece, strength, w);
@@ -383,8 +385,8 @@ static int step_find(int n, const Piece *piece, double strength, Work *w)
     return band_solve(n * BLOCK, HALF, w->a, w->b);
 }
 
-/* Takes the step, or as much of it as shortens no piece by more than 0.6 and turns none by more than 0.4 rad. The
- * largest move of a joint and change of a length, m; NAN: it is none. */
+/* Takes the step, limited so that no piece shortens by more than 0.6 or turns by more than 0.4 rad. Returns the largest
+ * move of a joint and change of a length, m; NAN if the step is invalid. */
 static double step_take(int n, Piece *piece, const double *b)
 {
     double part = 1, change = 0;
@@ -409,13 +411,13 @@ static double step_take(int n, Piece *piece, const double *b)
     return change;
 }
 
-/* How far a piece turns, at most. */
+/* Largest turn of a piece. */
 static double turn_most(const Piece *p) { return p->e.length * fmax(fabs(p->e.k0), fabs(p->e.k1)); }
 
-/* No piece of a route goes round twice: beyond that its sums cost as much as it turns, and lead nowhere. */
+/* Largest allowed turn, two full circles: beyond that a piece is no part of a route, and its sums are costly. */
 static double turn_bound(void) { return 4 * acos(-1); }
 
-/* A step that winds a piece up is not taken. */
+/* Checks for a piece beyond that turn; such a step is rejected. */
 static int is_wound(int n, const Piece *piece)
 {
     int wound = 0;
@@ -423,7 +425,7 @@ static int is_wound(int n, const Piece *piece)
     return wound;
 }
 
-/* Pieces that begin wound up, as trials in a maze of points do, are bent open. */
+/* Reduces the curvature of pieces that begin beyond that turn, as in trials on scattered points. */
 static void unwind(int n, Piece *piece)
 {
     for (int q = 0; q < n; ++q) {
@@ -434,7 +436,7 @@ static void unwind(int n, Piece *piece)
     }
 }
 
-/* What is missed, at its price: with half the squares it is what a good step lowers. */
+/* Price of the residuals: half the squares plus this decreases in a good step. */
 static double misses_price(int n, const Piece *piece, const double *price)
 {
     double sum = 0, miss[BLOCK];
@@ -445,8 +447,9 @@ static double misses_price(int n, const Piece *piece, const double *price)
     return sum;
 }
 
-/* One step that lowers half the squares and what is missed, stiffer until it does; then w->normal and foot are those of
- * the new place. *change: how far it goes, m. 0: there is none, and nothing has moved. */
+/* Takes one step that lowers half the squares plus the price of the residuals, with more damping until it does; then
+ * w->normal and foot belong to the new place. *change: its size, m. Returns 0 if there is none, and nothing has moved.
+ */
 static int step_try(int n, Piece *piece, int m, const Node *node, double *strength, Foot *foot, double *change, Work *w)
 {
     const double squares = 0.5 * chain_squares(m, node, foot);
@@ -495,7 +498,7 @@ hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int ste
 hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,
                                  hawser_error *err)
 {
-    const double free_steps = 1e-6; /* so little damping that it does not count */
+    const double free_steps = 1e-6; /* negligible damping */
     Foot *const foot = malloc((size_t)m * sizeof *foot);
     Work w;
     const int memory = work_alloc(n, &w) && foot;
@@ -512,7 +515,7 @@ hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const 
     return memory ? HAWSER_OK : error_memory(err);
 }
 
-/* The sum of weighted squares, m2. */
+/* Sum of weighted squares, m2. */
 static double chain_squares(int m, const Node *node, const Foot *foot)
 {
     double sum = 0;
@@ -527,7 +530,7 @@ void chain_close(int n, Piece *piece)
         if (piece[q].kind == PIECE_STRAIGHT) e->k0 = e->k1 = 0;
         if (piece[q].kind == PIECE_ARC && !piece[q].kept) e->k0 = e->k1 = 0.5 * (e->k0 + e->k1);
         if (q + 1 < n && chain_tied(&piece[q]) && is_fixed(&piece[q + 1])) {
-            e->k1 = piece[q + 1].kind == PIECE_STRAIGHT ? 0 : piece[q + 1].e.k0; /* to the last bit */
+            e->k1 = piece[q + 1].kind == PIECE_STRAIGHT ? 0 : piece[q + 1].e.k0; /* exact to the last bit */
         }
         if (q == 0) continue;
         if (chain_tied(&piece[q - 1]) && !is_fixed(&piece[q])) e->k0 = piece[q - 1].e.k1;
@@ -539,8 +542,8 @@ void chain_close(int n, Piece *piece)
     }
 }
 
-/* From a first chain to the best one: pieces are left out, added, split and changed in kind, each time in a window of a
- * few pieces that is fitted again; what lowers (FT6) stays. */
+/* Search from a first chain to the best one: pieces are removed, added, split and changed in kind, each time in a
+ * window of a few pieces that is fitted again; changes that lower (FT6) are kept. */
 
 enum { ASIDE = 2, WINDOW = 2 * ASIDE + 1, GROWTH = 3, FARTHER = 4 };
 
@@ -548,24 +551,24 @@ enum { WINDOW_MOST = WINDOW + GROWTH, WIDE_MOST = WINDOW_MOST + 2 * FARTHER };
 
 enum { EDGE_NODES = 60, STEPS = 10, SWEEPS = 8 };
 
-/* Squares over sigma2 a node, from which on a window fits badly. */
+/* Squares over sigma2 per node from which a window fits badly. */
 static const double ROUGH = 2;
 
 static const double PI = 3.14159265358979323846;
 
-/* Some pieces with their nodes, to try something on. */
+/* Some pieces with their nodes, for a trial. */
 typedef struct Window {
     int n;
     Piece piece[WIDE_MOST];
 } Window;
 
-/* What a chain's pieces cost beside their squares: each for itself, and each curvature that is an unknown. Those of
- * joints at which a clothoid goes over are one, and one with those of the arc there; a straight's is none. */
+/* Cost of a chain's pieces beside their squares: of each piece, and of each unknown curvature. Curvatures at a joint
+ * with a smooth transition count once, also with the arc's there; a straight's does not count. */
 static double pieces_cost(int n, const Piece *p)
 {
     const double curvature = 8, clothoid = 5;
     double sum = 0;
-    int unknown = 0; /* the curvature with which the piece before ended */
+    int unknown = 0; /* curvature at the end of the last piece */
     for (int i = 0; i < n; ++i) {
         const int changes = p[i].kind == PIECE_CLOTHOID && !p[i].kept, known = p[i].kind == PIECE_STRAIGHT || p[i].kept;
         const int same = i > 0 && chain_tied(&p[i - 1]);
@@ -582,7 +585,7 @@ static double pieces_cost(int n, const Piece *p)
     return sum + (unknown ? curvature : 0);
 }
 
-/* ----------------------------------------------------------------------------------------------------- the moves */
+/* ----------------------------------------------------------------------------------------------------- moves */
 
 static void window_insert(Window *w, int at, Piece p)
 {
@@ -597,7 +600,7 @@ static void window_remove(Window *w, int at)
     --w->n;
 }
 
-/* Two straights end to end are one. */
+/* Merges straights end to end. */
 static void straights_merge(Window *w)
 {
     for (int i = 0; i + 1 < w->n; ++i) {
@@ -611,21 +614,21 @@ static void straights_merge(Window *w)
     }
 }
 
-/* Cuts `before` m off a piece's start and `behind` off its end. */
+/* Cuts `before` m off a piece's start and `behind` m off its end. */
 static void piece_shorten(Piece *p, double before, double behind)
 {
     const PlanElement from = plan_at(&p->e, before), to = plan_at(&p->e, p->e.length - behind);
     p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0, p->e.name, 0};
 }
 
-/* Without piece q; its neighbours share its length. */
+/* Removes piece q; its neighbours share its length. */
 static int leave_out(Window *w, int q)
 {
     if (w->n < 2 || w->piece[q].kept) return 0;
     const double length = w->piece[q].e.length, turn = 0.5 * length * (w->piece[q].e.k0 + w->piece[q].e.k1);
     const int first = q == 0, last = q + 1 == w->n;
     Piece *const before = &w->piece[q - !first], *const behind = &w->piece[q + !last];
-    if (!last) { /* it begins earlier, by going back on it */
+    if (!last) { /* it is extended backward at its start */
         const double more = first ? length : 0.5 * length;
         const double bend = behind->kind == PIECE_STRAIGHT ? 0 : more * behind->e.k0;
         behind->e.x -= more * cos(behind->e.heading - 0.5 * bend);
@@ -664,7 +667,8 @@ static int make_straight(Window *w, int q) { return change_kind(w, q, PIECE_STRA
 
 static int make_arc(Window *w, int q) { return change_kind(w, q, PIECE_ARC); }
 
-/* Between longer neighbours it reaches into both: an arc that stands for a transition is about half as long as that. */
+/* Turns a piece into a clothoid. Between longer neighbours it extends into both: an arc in place of a transition is
+ * about half as long. */
 static int make_clothoid(Window *w, int q)
 {
     const double half = 0.4 * w->piece[q].e.length;
@@ -679,13 +683,13 @@ static int make_clothoid(Window *w, int q)
     return 1;
 }
 
-/* On either side of piece q. */
+/* Turns the pieces on either side of piece q into clothoids. */
 static int make_two_clothoids(Window *w, int q)
 {
     return q > 0 && q + 1 < w->n && make_clothoid(w, q + 1) && make_clothoid(w, q - 1);
 }
 
-/* A piece between q and the next, which give up part of their lengths. */
+/* Inserts a piece between q and the next, which are shortened. */
 static int put_between(Window *w, int q, PieceKind kind, double part)
 {
     if (q + 1 >= w->n || w->piece[q].kind == kind || w->piece[q + 1].kind == kind || w->n >= WINDOW_MOST) return 0;
@@ -710,10 +714,10 @@ static int put_straight(Window *w, int q) { return put_between(w, q, PIECE_STRAI
 
 static int put_arc(Window *w, int q) { return put_between(w, q, PIECE_ARC, 0.3); }
 
-/* A clothoid on either side of piece q. */
+/* Inserts a clothoid on either side of piece q. */
 static int put_two_clothoids(Window *w, int q) { return q > 0 && put_clothoid(w, q) && put_clothoid(w, q - 1); }
 
-/* Two of its kind; a straight gets a bend in its middle. */
+/* Splits a piece into two of its kind; a straight gets a bend in its middle. */
 static int split(Window *w, int q)
 {
     Piece *const p = &w->piece[q];
@@ -733,7 +737,8 @@ static int split(Window *w, int q)
     return 1;
 }
 
-/* An arc turns in one of its ends alone, and is straight beyond: what stood for a bend and the straight beside it. */
+/* Moves an arc's turn into one end and makes the rest straight, for an arc that replaced a bend and the straight beside
+ * it. */
 static int bend_in_end(Window *w, int q, int last)
 {
     const double part = 0.1;
@@ -761,7 +766,7 @@ static int bend_in_end(Window *w, int q, int last)
     return 1;
 }
 
-/* Only worth its time where the window fits badly: both stand first among the moves. */
+/* Only useful for a window that fits badly: both are first among the moves. */
 enum { ROUGH_MOVES = 2 };
 
 static int bend_first(Window *w, int q) { return bend_in_end(w, q, 0); }
@@ -775,7 +780,7 @@ static int loosen(Window *w, int q)
     return 1;
 }
 
-/* Each changes a window about its piece q; 0: that cannot be done. */
+/* Moves that change a window about its piece q; they return 0 if that is impossible. */
 static int (*const moves[])(Window *w, int q) = {bend_first,         bend_last,    leave_out,    leave_two_out,
                                                  make_straight,      make_arc,     put_clothoid, put_short_clothoid,
                                                  put_two_clothoids,  put_straight, put_arc,      make_clothoid,
@@ -794,7 +799,7 @@ typedef struct Search {
     hawser_error *err;
 } Search;
 
-/* The first node on piece q or behind it. */
+/* The first node on piece q or after it. */
 static int node_of(const Search *s, int q)
 {
     int low = 0, high = s->m;
@@ -808,7 +813,7 @@ static int node_of(const Search *s, int q)
     return low;
 }
 
-/* Of long outermost pieces a and b (-1: it stays whole) only what is near counts: nodes from..to - 1, and what is cut
+/* Limits long outermost pieces a and b (-1: it stays whole) to their near part: nodes from..to - 1, and the lengths cut
  * off the pieces' far ends, m. */
 static void ends_cut(const Search *s, int a, int b, int *from, int *to, double cut[2])
 {
@@ -830,7 +835,7 @@ static void window_shorten(Window *w, const double cut[2])
     if (cut[1] > 0) piece_shorten(&w->piece[w->n - 1], 0, cut[1]);
 }
 
-/* Pieces a..b with their nodes from..to - 1; of the outermost ones only what is near. */
+/* Window of pieces a..b with their nodes from..to - 1; only the near part of the outermost ones. */
 static Window window_of(const Search *s, int a, int b, int *from, int *to)
 {
     Window w = {.n = b - a + 1};
@@ -843,8 +848,8 @@ static Window window_of(const Search *s, int a, int b, int *from, int *to)
     return w;
 }
 
-/* What the window costs when it is fitted, as far as that takes to see that it is not below `least`; pieces that vanish
- * or turn by more than a full circle are none. */
+/* Cost of the window after fitting, only as exact as needed to see that it is not below `least`; windows with vanishing
+ * pieces, or pieces of more than a full circle, are invalid. */
 static hawser_status window_cost(const Search *s, Window *w, int from, int to, double least, double *cost)
 {
     const double fixed = pieces_cost(w->n, w->piece);
@@ -856,7 +861,7 @@ static hawser_status window_cost(const Search *s, Window *w, int from, int to, d
     for (int i = 0; i < w->n; ++i) {
         const PlanElement *const e = &w->piece[i].e;
         if (e->length < 1e-2 || fmax(fabs(e->k0), fabs(e->k1)) * e->length > 2 * PI) *cost = INFINITY;
-        if (i + 1 < w->n) { /* a chain that did not come together */
+        if (i + 1 < w->n) { /* the chain did not converge */
             const PlanElement end = plan_at(e, e->length);
             if (!(hypot(end.x - e[0].x, end.y - e[0].y) < 1e12)) *cost = INFINITY;
             if (hypot(end.x - w->piece[i + 1].e.x, end.y - w->piece[i + 1].e.y) > 1e-2) *cost = INFINITY;
@@ -866,7 +871,7 @@ static hawser_status window_cost(const Search *s, Window *w, int from, int to, d
     return status;
 }
 
-/* Pieces a..b give way to the window's. */
+/* Replaces pieces a..b by the window's. */
 static hawser_status window_put(Search *s, int a, int b, const Window *w, int whole_first, int whole_last)
 {
     const int n = *s->n, more = w->n - (b - a + 1);
@@ -877,7 +882,7 @@ static hawser_status window_put(Search *s, int a, int b, const Window *w, int wh
     memmove(&wider[b + 1 + more], &wider[b + 1], (size_t)(n - b - 1) * sizeof *wider);
     memcpy(&wider[a], w->piece, (size_t)w->n * sizeof *wider);
     *s->n = n + more;
-    if (!whole_first) { /* what the window did not see of it */
+    if (!whole_first) { /* the part outside the window */
         const double seen = wider[a].e.length;
         const PlanElement *const was = &first.e;
         wider[a].e.length = hypot(wider[a].e.x - was->x, wider[a].e.y - was->y) + seen;
@@ -893,7 +898,7 @@ static hawser_status window_put(Search *s, int a, int b, const Window *w, int wh
     return HAWSER_OK;
 }
 
-/* The best move about piece q, in the window w of pieces *a..*b with what it costs; *found: one is better than none. */
+/* Finds the best move about piece q, in the window w of pieces *a..*b with its cost; *found: it is an improvement. */
 static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *best, int *found)
 {
     int from, to;
@@ -921,7 +926,7 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------------------- the search */
+/* ------------------------------------------------------------------------------------------------------- search */
 
 double chain_cost(int n, const Piece *piece, int m, const Node *node, double sigma, const Foot *foot)
 {
@@ -938,7 +943,7 @@ static double whole_cost(const Search *s)
     return chain_cost(*s->n, *s->piece, s->m, s->node, sqrt(s->sigma2), s->foot);
 }
 
-/* A chain to come back to. */
+/* A stored chain. */
 typedef struct Kept {
     int n;
     Piece *piece;
@@ -954,7 +959,7 @@ static hawser_status keep(const Search *s, double cost, Kept *k)
     return HAWSER_OK;
 }
 
-/* Numbers of pieces, and feet on them, after pieces a..b have become n: those of the nodes between are found anew. */
+/* Renumbers pieces and feet after pieces a..b have become n; feet of the nodes between are computed again. */
 static hawser_status feet_renew(Search *s, int a, int n, int from, int to, int more)
 {
     for (int i = to; i < s->m; ++i) s->foot[i].piece += more;
@@ -965,8 +970,8 @@ static hawser_status feet_renew(Search *s, int a, int n, int from, int to, int m
     return status;
 }
 
-/* What a narrow window, of pieces a..b, says is better must be so in a wide one; *better: it was, and the chain has it.
- * Farther away it changes next to nothing, so that a long line costs no more by the metre than a short one. */
+/* Confirms an improvement of a narrow window, pieces a..b, in a wide one; *better: it is confirmed and applied. Farther
+ * away the effect is negligible, so that a long line costs no more per metre than a short one. */
 static hawser_status settle(Search *s, int a, int b, const Window *w, int *better)
 {
     const int first = a > FARTHER ? a - FARTHER : 0, last = b + FARTHER < *s->n ? b + FARTHER : *s->n - 1;
@@ -995,7 +1000,7 @@ static hawser_status settle(Search *s, int a, int b, const Window *w, int *bette
     return status;
 }
 
-/* Every piece once about which something may have become better; *better: something was. */
+/* Tries every unsettled piece once; *better: something improved. */
 static hawser_status sweep(Search *s, int *better)
 {
     hawser_status status = HAWSER_OK;
@@ -1016,8 +1021,7 @@ static hawser_status sweep(Search *s, int *better)
     return status;
 }
 
-/* The chain as it is now is refined as a whole; where that is no better than the best one so far, that one comes back.
- */
+/* Refines the whole chain; if it is no better than the best one so far, that one is restored. */
 static hawser_status whole_settle(Search *s, Kept *best, int *better)
 {
     hawser_status status = refine(s, STEPS);
@@ -1050,7 +1054,7 @@ hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, doub
     return status;
 }
 
-/* The sharpest arc that stays within half the deviation of a corner, as far as its neighbours have room. */
+/* Puts the sharpest arc within half the deviation of each corner, as far as its neighbours allow. */
 hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_error *err)
 {
     for (int i = 0; i + 1 < *n; ++i) {
@@ -1058,8 +1062,7 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         const double end = p->e.heading + 0.5 * p->e.length * (p->e.k0 + p->e.k1);
         const double turn = remainder(p[1].e.heading - end, 2 * PI), half = 0.5 * fabs(turn);
         const int straights = p[0].kind == PIECE_STRAIGHT && p[1].kind == PIECE_STRAIGHT;
-        const double shorter =
-            fmin(p[0].e.length, p[1].e.length); /* a small turn between others they settle themselves */
+        const double shorter = fmin(p[0].e.length, p[1].e.length); /* other pieces absorb a small turn themselves */
         if (fabs(turn) < (straights ? 1e-9 : fmin(0.15, 4 * deviation / shorter))) continue;
         Piece *const wider = realloc(*piece, (size_t)(*n + 1) * sizeof *wider);
         if (!wider) return error_memory(err);

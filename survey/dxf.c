@@ -1,4 +1,4 @@
-/* What the parts of the DXF reader share: the stream of tags, an entity with its tags, and what becomes of it. */
+/* Shared by the parts of the DXF reader: the stream of tags, an entity with its tags, and its result. */
 #include <errno.h>
 #include <iconv.h>
 #include <math.h>
@@ -12,29 +12,28 @@
 #include "core/error.h"
 #include "survey/input.h"
 
-/* A group code with its value; text is empty where it is a number and the number NAN where it is a text that is none.
- */
+/* A group code with its value; text is empty for a number, and the number is NAN for a text that is not one. */
 typedef struct DxfTag {
     int code;
     double number;
-    const char *text; /* until the next tag */
+    const char *text; /* valid until the next tag */
 } DxfTag;
 
-/* Tags one after the other, of a text or a binary file. */
+/* Stream of tags of a text or a binary file. */
 typedef struct DxfStream {
     SurveyInput *in;
     int binary, short_codes; /* short: of R12 and before, one byte */
-    int held;                /* the tag below has been given back */
+    int held;                /* the tag below was put back */
     DxfTag tag;
     InputLine line, code_line;
-    long strays;        /* lines that are no group code, so far */
-    long left_out;      /* entities that could not be read, so far */
-    hawser_error first; /* what the first thing is that could not be read; status OK: nothing */
+    long strays;        /* lines so far that are not a group code */
+    long left_out;      /* number of unreadable entities so far */
+    hawser_error first; /* the first item that could not be read; status OK: none */
     iconv_t page;       /* from the drawing's code page; (iconv_t)-1: Latin-1 */
     struct DxfBlocks *blocks;
 } DxfStream;
 
-/* The numbers of an entity that is read: groups below 240. */
+/* The numbers of an entity: groups below 240. */
 typedef struct DxfNumber {
     int code;
     double value;
@@ -46,10 +45,10 @@ typedef struct DxfEntity {
     int n, room;
     DxfNumber *number;
     long line;
-    int bad; /* group of a number that is none; -1: a line within is no group code; 0: whole */
+    int bad; /* group of an invalid number; -1: a line within is not a group code; 0: valid */
 } DxfEntity;
 
-/* Coordinates of an entity's own system, whose z-axis is `axis`, in the world's, metres. */
+/* Axes of an entity's own system, whose z-axis is `axis`, in the world's, metres. */
 typedef struct DxfSystem {
     Vec3 x, y, axis;
     double unit;
@@ -61,9 +60,10 @@ typedef struct DxfCorner {
     double bulge; /* tangent of a quarter of the arc's angle, to the left positive */
 } DxfCorner;
 
-/* ---- blocks: their lines in the system of the block, from the origin of its base; survey/dxf.c */
+/* ---- blocks: their lines in the system of the block, from its base point as origin */
 
-/* From a block's system to the one around it: p = at + x p.x + y p.y + z p.z. m, but the axes have no dimension. */
+/* Transformation from a block's system to the enclosing one: p = at + x p.x + y p.y + z p.z. m, but the axes have no
+ * dimension. */
 typedef struct DxfPlace {
     Vec3 x, y, z, at;
 } DxfPlace;
@@ -71,7 +71,7 @@ typedef struct DxfPlace {
 /* An insertion of a block, once or in rows and columns. */
 typedef struct DxfInsert {
     char block[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
-    DxfPlace place; /* at: of the insertion's point, from which the block's base is still to be taken */
+    DxfPlace place; /* at: of the insertion's point, before subtracting the block's base */
     int columns, rows;
     Vec3 column, row; /* m from one to the next */
 } DxfInsert;
@@ -80,15 +80,15 @@ typedef struct DxfInsert {
 
 static const char sign[] = "AutoCAD Binary DXF\r\n\x1a";
 
-/* Looks at the file's beginning and goes on behind its sign. */
+/* Inspects the file's beginning and continues after its signature. */
 static void dxf_begin(DxfStream *s, SurveyInput *in)
 {
     char head[sizeof sign + 2] = "";
     *s = (DxfStream){.in = in, .page = (iconv_t)-1};
-    const size_t n = fread(head, 1, sizeof head, in->file); /* with the sign's own 0, and two bytes behind it */
+    const size_t n = fread(head, 1, sizeof head, in->file); /* the signature includes its own 0, and two bytes follow */
     const int marked = n > 3 && !memcmp(head, "\xEF\xBB\xBF", 3);
     s->binary = n == sizeof head && !memcmp(head, sign, sizeof sign);
-    s->short_codes = s->binary && head[sizeof sign + 1] != 0; /* 0 and a text at once: codes of one byte */
+    s->short_codes = s->binary && head[sizeof sign + 1] != 0; /* 0 directly followed by a text: codes of one byte */
     input_seek(in, s->binary ? (long)sizeof sign : marked ? 3 : 0);
 }
 
@@ -101,7 +101,7 @@ static void dxf_end(DxfStream *s)
 
 /* ------------------------------------------------------------------------------------------------------------- text */
 
-/* Keeps what cannot be read as s->first, unless something else is there. */
+/* Stores a fault as s->first, unless there is one already. */
 static void dxf_fault(DxfStream *s, const char *format, ...)
 {
     char text[HAWSER_MESSAGE_MAX];
@@ -116,14 +116,15 @@ static void dxf_fault(DxfStream *s, const char *format, ...)
     s->in->err = own;
 }
 
-/* A group code of DXF, -5 to 1071. */
+/* Checks for a group code of DXF, -5 to 1071. */
 static int code_of(const SurveyInput *in, const char *text, double *code)
 {
     return input_number_whole(in, text, code) && *code >= -5 && *code <= 1071 && *code == floor(*code);
 }
 
-/* A line that is no group code: a text above it has a line break. If that text's last line is a number it passed for a
- * group code, and the line that was read as its value is the code of this one. 0: the line is left out. */
+/* Handles a line that is not a group code: a text above it has a line break. If that text's last line is a number, it
+ * was taken for a group code, and the line read as its value is the code of this one. Returns 0: the line is left out.
+ */
 static int next_of_broken(DxfStream *s, DxfTag *tag)
 {
     double code;
@@ -163,7 +164,7 @@ static int next_of_text(DxfStream *s, DxfTag *tag)
 
 /* ----------------------------------------------------------------------------------------------------------- binary */
 
-/* How a value is stored, by its code. */
+/* Storage of a value, by its code. */
 typedef enum Stored {
     STORED_TEXT,
     STORED_DOUBLE,
@@ -191,7 +192,7 @@ static Stored stored(int code)
     return STORED_TEXT;
 }
 
-/* n <= 8 bytes, the lowest first; 0: the file ends. */
+/* Reads n <= 8 bytes, the lowest first; returns 0 at the file's end. */
 static int bytes(DxfStream *s, int n, uint64_t *value)
 {
     *value = 0;
@@ -203,7 +204,8 @@ static int bytes(DxfStream *s, int n, uint64_t *value)
     return 1;
 }
 
-/* A text up to its 0; 0: the file ends or the text does not, or there is no memory, which is said then. */
+/* Reads a text up to its 0; returns 0 if the file ends, the text is too long, or there is no memory, which is an error.
+ */
 static int text_read(DxfStream *s)
 {
     size_t n = 0;
@@ -262,9 +264,10 @@ static int next_of_binary(DxfStream *s, DxfTag *tag)
     return -1;
 }
 
-/* ------------------------------------------------------------------------------------------------------------- both */
+/* ------------------------------------------------------------------------------------------------------------- text
+ * and binary */
 
-/* 1: a tag; 0: the file ends; -1: no tag, with the reason in in->err. */
+/* Reads a tag: 1: a tag; 0: the file ends; -1: no tag, with the reason in in->err. */
 static int dxf_next(DxfStream *s, DxfTag *tag)
 {
     int found = 1;
@@ -274,14 +277,14 @@ static int dxf_next(DxfStream *s, DxfTag *tag)
     return found;
 }
 
-/* The next call gives the same tag again. */
+/* Puts the tag back: the next call returns it again. */
 static void dxf_hold(DxfStream *s) { s->held = 1; }
 
-/* What becomes of entities: straights and arcs in plan where they lie level, points in space where they do not. */
+/* Results of entities: straights and arcs in plan if they are level, else points in space. */
 
 static const double PI = 3.14159265358979323846;
 
-/* The first number of a code, or what else. */
+/* The first number of a code, or `otherwise`. */
 static double dxf_number(const DxfEntity *e, int code, double otherwise)
 {
     for (int i = 0; i < e->n; ++i) {
@@ -290,14 +293,14 @@ static double dxf_number(const DxfEntity *e, int code, double otherwise)
     return otherwise;
 }
 
-/* Its flags, group 70; 0 if that is missing or no number of 16 bits. */
+/* Flags of an entity, group 70; 0 if they are missing or not a number of 16 bits. */
 static int dxf_flags(const DxfEntity *e)
 {
     const double value = dxf_number(e, 70, 0);
     return value >= 0 && value < 65536 ? (int)value : 0;
 }
 
-/* The axes of an entity's own system: AutoCAD's rule of the arbitrary axis. */
+/* Axes of an entity's own system, by AutoCAD's arbitrary axis algorithm. */
 static DxfSystem dxf_system(const SurveyInput *in, const DxfEntity *e)
 {
     const Vec3 given = v3(dxf_number(e, 210, 0), dxf_number(e, 220, 0), dxf_number(e, 230, 1));
@@ -321,7 +324,7 @@ static Alignment *alignment_of(const SurveyInput *in, const DxfEntity *e)
 
 /* ---------------------------------------------------------------------------------------------------- level shapes */
 
-/* An arc from a to b, in plan; a straight without a bulge. */
+/* Adds an arc from a to b in plan; a straight if there is no bulge. */
 static int element_add(Alignment *to, Vec3 a, Vec3 b, double bulge)
 {
     const double chord = hypot(b.x - a.x, b.y - a.y), turn = 4 * atan(bulge);
@@ -338,7 +341,7 @@ static int element_add(Alignment *to, Vec3 a, Vec3 b, double bulge)
     return 1;
 }
 
-/* All of a level line is at one height. */
+/* Adds the constant height of a level line. */
 static int height_add(Alignment *a, double z)
 {
     double length = 0;
@@ -359,7 +362,7 @@ static int point_add(Alignment *a, Vec3 at)
 
 /* ------------------------------------------------------------------------------------------------------ tilted arcs */
 
-/* The points of an arc with a bulge in a tilted plane, but for its first one: chords 0.2 mm off at most. */
+/* Adds the points of an arc with a bulge in a tilted plane, except its first one: chords at most 0.2 mm off. */
 static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double bulge)
 {
     const double chord = hypot(b.x - a.x, b.y - a.y), turn = 4 * atan(bulge);
@@ -369,7 +372,7 @@ static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double 
     const Vec3 along = v3_scale(1 / fmax(chord, 1e-300), v3_sub(b, a)), left = v3(-along.y, along.x, 0);
     int fine = 1;
     to->bent |= n > 1;
-    for (int i = 1; i <= n && fine; ++i) { /* seen from the chord's middle, the arc from -turn/2 to turn/2 */
+    for (int i = 1; i <= n && fine; ++i) { /* relative to the chord's middle, the arc from -turn/2 to turn/2 */
         const double angle = turn * (i - 0.5 * n) / n, half = turn / 2;
         const double x = n > 1 ? 0.5 * chord * (1 + sin(angle) / sin(half)) : chord;
         const double y = n > 1 ? -0.5 * chord * (cos(angle) - cos(half)) / sin(half) : 0;
@@ -381,7 +384,7 @@ static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double 
 
 /* --------------------------------------------------------------------------------------------------------- entities */
 
-/* n corners; space: a 3-D polyline, without bulges. */
+/* Adds a line of n corners; space: a 3-D polyline, without bulges. */
 static hawser_status dxf_add_corners(const SurveyInput *in, const DxfEntity *e, int n, const DxfCorner *corner,
                                      int closed, int space)
 {
@@ -406,7 +409,7 @@ static hawser_status dxf_add_corners(const SurveyInput *in, const DxfEntity *e, 
     return fine ? HAWSER_OK : error_memory(in->err);
 }
 
-/* Both ends in the world's coordinates; one that rises is two points in space. */
+/* Adds a line. Both ends are in world coordinates; a rising one is two points in space. */
 static hawser_status dxf_add_line(const SurveyInput *in, const DxfEntity *e)
 {
     const DxfCorner corner[2] = {{.at = {dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0)}},
@@ -421,7 +424,7 @@ static hawser_status dxf_add_line(const SurveyInput *in, const DxfEntity *e)
     return fine ? HAWSER_OK : error_memory(in->err);
 }
 
-/* Anticlockwise from one angle to the other, in its own system. */
+/* Adds an arc, anticlockwise from one angle to the other in its own system. */
 static hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e)
 {
     const double radius = dxf_number(e, 40, NAN), from = PI / 180 * dxf_number(e, 50, NAN),
@@ -433,7 +436,7 @@ static hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e)
         return input_error(in, "an ARC without centre, radius above 0 and angles (groups 10, 20, 40, 50, 51)");
     }
     DxfCorner corner[3];
-    for (int i = 0; i < 3; ++i) { /* in two halves: a bulge has no full turns */
+    for (int i = 0; i < 3; ++i) { /* in two halves, since a bulge cannot be a full circle */
         const double angle = from + 0.5 * i * turn;
         corner[i] =
             (DxfCorner){v3(centre.x + radius * cos(angle), centre.y + radius * sin(angle), centre.z), tan(turn / 8)};
@@ -441,7 +444,7 @@ static hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e)
     return dxf_add_corners(in, e, 3, corner, 0, 0);
 }
 
-/* Corners as groups 10, 20, with 42 behind them; 38 is the height of all. */
+/* Adds corners from groups 10, 20, followed by 42; 38 is the common height. */
 static hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e)
 {
     const double z = dxf_number(e, 38, 0);
@@ -459,7 +462,7 @@ static hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *
     return status;
 }
 
-/* Part of an ellipse, in the world's coordinates: a major axis, the ratio of the minor one to it, and two parameters.
+/* Adds a part of an ellipse in world coordinates: a major axis, the ratio of the minor one to it, and two parameters.
  */
 static hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
 {
@@ -491,12 +494,12 @@ static hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
     return status;
 }
 
-/* Blocks: what a drawing has once and inserts at many places, moved, turned, scaled, mirrored, one within the other. */
+/* Blocks: parts that a drawing has once and inserts at many places, moved, rotated, scaled, mirrored, nested. */
 
 enum { DEPTH_MOST = 32, EXPANDED_MOST = 4000000, COPIES_MOST = 32767 };
 
 typedef struct DxfBlock {
-    char name[SURVEY_NAME_MAX], outside[SURVEY_NAME_MAX]; /* outside: the drawing that it stands for, not in the file */
+    char name[SURVEY_NAME_MAX], outside[SURVEY_NAME_MAX]; /* outside: the external drawing that it represents */
     Vec3 base;                                            /* m */
     Survey lines;
     int n_inserts, used;
@@ -506,25 +509,25 @@ typedef struct DxfBlock {
 struct DxfBlocks {
     int n, inserted;
     DxfBlock *block; /* [n] by name, after dxf_blocks_end */
-    long expanded;   /* lines and insertions so far */
+    long expanded;   /* number of lines and insertions so far */
 };
 
-/* -------------------------------------------------------------------------------------------------------- keeping */
+/* -------------------------------------------------------------------------------------------------------- storing */
 
-/* Begins a block, whose lines are added to the Survey that is returned until the next one; NULL: no memory. */
+/* Begins a block; lines are added to the returned Survey until the next one. Returns NULL without memory. */
 static Survey *dxf_block_begin(DxfStream *s, const DxfEntity *e)
 {
     if (!s->blocks) s->blocks = calloc(1, sizeof *s->blocks);
     DxfBlock *const b = s->blocks ? survey_one_more(&s->blocks->block, &s->blocks->n, sizeof *b) : NULL;
     if (!b) return NULL;
-    const int outside = dxf_flags(e) & (4 | 8); /* an external reference, laid over or attached */
+    const int outside = dxf_flags(e) & (4 | 8); /* an external reference, overlaid or attached */
     memcpy(b->name, e->name, sizeof b->name);
     if (outside) snprintf(b->outside, sizeof b->outside, "%s", *e->text ? e->text : e->name);
     b->base = v3_scale(s->in->unit, v3(dxf_number(e, 10, 0), dxf_number(e, 20, 0), dxf_number(e, 30, 0)));
     return &b->lines;
 }
 
-/* Adds an insertion to the block that was begun last. Errors: MEMORY. */
+/* Adds an insertion to the latest block. Errors: MEMORY. */
 static hawser_status dxf_block_insert(DxfStream *s, const DxfInsert *insert)
 {
     DxfBlock *const b = &s->blocks->block[s->blocks->n - 1];
@@ -539,7 +542,7 @@ static int by_name(const void *a, const void *b)
     return strcasecmp(((const DxfBlock *)a)->name, ((const DxfBlock *)b)->name);
 }
 
-/* After the last block, before the first is followed. */
+/* Sorts the blocks after the last one, before any insertion is expanded. */
 static void dxf_blocks_end(DxfStream *s)
 {
     if (s->blocks) qsort(s->blocks->block, (size_t)s->blocks->n, sizeof *s->blocks->block, by_name);
@@ -553,7 +556,7 @@ static DxfBlock *block_of(const DxfStream *s, const char *name)
     return bsearch(&key, s->blocks->block, (size_t)s->blocks->n, sizeof key, by_name);
 }
 
-/* Notes that there are lines in blocks, none of which is inserted. */
+/* Notes lines in blocks that are never inserted. */
 static void dxf_blocks_note(DxfStream *s)
 {
     for (int i = 0; s->blocks && i < s->blocks->n; ++i) {
@@ -579,13 +582,13 @@ static Vec3 along(const DxfPlace *p, Vec3 v) { return v3_axpy(v3_axpy(v3_scale(v
 
 static Vec3 placed(const DxfPlace *p, Vec3 v) { return v3_add(p->at, along(p, v)); }
 
-/* First b, then a. */
+/* Composes two transformations: first b, then a. */
 static DxfPlace place_within(const DxfPlace *a, const DxfPlace *b)
 {
     return (DxfPlace){along(a, b->x), along(a, b->y), along(a, b->z), placed(a, b->at)};
 }
 
-/* The insertion that an INSERT describes. Errors: INPUT (a scale of 0), with the reason in in->err. */
+/* Reads the insertion that an INSERT describes. Errors: INPUT (a scale of 0), with the reason in in->err. */
 static hawser_status dxf_insert_of(const SurveyInput *in, const DxfEntity *e, DxfInsert *out)
 {
     const DxfSystem own = dxf_system(in, e);
@@ -604,7 +607,8 @@ static hawser_status dxf_insert_of(const SurveyInput *in, const DxfEntity *e, Dx
     return HAWSER_OK;
 }
 
-/* The scale of a place that leaves straights level and arcs arcs; 0: it is none. *mirrored: left becomes right. */
+/* Scale of a transformation that keeps straights level and arcs circular; 0: it does not. *mirrored: left becomes
+ * right. */
 static double even_scale(const DxfPlace *p, int *mirrored)
 {
     const double a = hypot(p->x.x, p->x.y), b = hypot(p->y.x, p->y.y), least = 1e-9 * a;
@@ -614,7 +618,7 @@ static double even_scale(const DxfPlace *p, int *mirrored)
     return upright && fabs(a - b) < least && fabs(across) < least * a ? a : 0;
 }
 
-/* Elements under a place that is none of theirs, as points; curves as chords 0.2 mm off. */
+/* Converts elements to points under a transformation that does not preserve them; curves as chords 0.2 mm off. */
 static int elements_bend(const Alignment *from, const DxfPlace *p, Alignment *to)
 {
     enum { CHORDS_MOST = 10000 };
@@ -635,7 +639,7 @@ static int elements_bend(const Alignment *from, const DxfPlace *p, Alignment *to
     return fine;
 }
 
-/* A line of a block where the block is inserted. 0: no memory. */
+/* Places a line of a block at an insertion. Returns 0 without memory. */
 static int line_place(const Alignment *from, const DxfPlace *p, Alignment *to)
 {
     int mirrored;
@@ -670,11 +674,11 @@ static int line_place(const Alignment *from, const DxfPlace *p, Alignment *to)
     return level != NULL;
 }
 
-/* -------------------------------------------------------------------------------------------------------- following */
+/* -------------------------------------------------------------------------------------------------------- expanding */
 
 static const char *layer_within(const char *own, const char *around) { return strcmp(own, "0") ? own : around; }
 
-/* Why a block is not followed; the first time its other contents are noted too. 1: it is. */
+/* Checks whether a block is expanded; otherwise notes the reason. The first time its other contents are noted too. */
 static int is_followed(DxfStream *s, const char *name, DxfBlock *b, int depth)
 {
     static const char *const never[] = {"*X", "*D", "*T"};
@@ -696,7 +700,7 @@ static int is_followed(DxfStream *s, const char *name, DxfBlock *b, int depth)
     return 1;
 }
 
-/* Whether one more line or insertion may be followed. */
+/* Checks whether one more line or insertion may be expanded. */
 static int is_within(DxfStream *s)
 {
     if (s->blocks->expanded++ < EXPANDED_MOST) return 1;
@@ -708,7 +712,7 @@ static int is_within(DxfStream *s)
 static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const DxfPlace *around, const char *layer,
                                    int depth);
 
-/* The lines of a block at a place, and of the blocks within it. */
+/* Adds the lines of a block at a place, and of the blocks within it. */
 static hawser_status block_follow(DxfStream *s, const DxfBlock *b, const DxfPlace *place, const char *layer, int depth)
 {
     hawser_status status = HAWSER_OK;
@@ -744,7 +748,7 @@ static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const 
     return status;
 }
 
-/* Adds the lines of the inserted block, and of those within it, to in->out. What is not followed is noted there.
+/* Adds the lines of the inserted block, and of those within it, to in->out. Items that are left out are noted there.
  * Errors: MEMORY. */
 static hawser_status dxf_follow(DxfStream *s, const DxfInsert *insert)
 {
@@ -757,7 +761,7 @@ static hawser_status dxf_follow(DxfStream *s, const DxfInsert *insert)
 
 enum { DEGREE_MOST = 15, PARTS = 8, PARTS_MOST = 1024, CONTROLS_MOST = 1 << 20 };
 
-/* m, how far a chord may be beside the spline: the length is then within a millionth. */
+/* m, largest distance of a chord from the spline: the length is then exact to a millionth. */
 static const double OFF = 2e-4;
 
 /* A point with its weight: x w, y w, z w, w. */
@@ -772,7 +776,7 @@ typedef struct Spline {
     Vec3 *fit;         /* [n_fits] */
 } Spline;
 
-/* How often a code is there. */
+/* Number of occurrences of a code. */
 static int count(const DxfEntity *e, int code)
 {
     int n = 0;
@@ -780,7 +784,7 @@ static int count(const DxfEntity *e, int code)
     return n;
 }
 
-/* The groups one by one; coordinates belong to the control or fit point that was begun last. */
+/* Reads the groups in order; coordinates belong to the latest control or fit point. */
 static void fill(Spline *s, const DxfEntity *e)
 {
     int knots = 0, controls = 0, fits = 0, weights = 0;
@@ -820,7 +824,7 @@ static void fill(Spline *s, const DxfEntity *e)
     }
 }
 
-/* De Boor's algorithm in the span that ends at knot `span + 1`. */
+/* Evaluates De Boor's algorithm in the span that ends at knot `span + 1`. */
 static Vec3 spline_at(const Spline *s, int span, double u)
 {
     Weighted d[DEGREE_MOST + 1];
@@ -836,7 +840,7 @@ static Vec3 spline_at(const Spline *s, int span, double u)
     return v3_scale(1 / d[p].v[3], v3(d[p].v[0], d[p].v[1], d[p].v[2]));
 }
 
-/* How many chords of a span stay within OFF of it: by the places half-way along them, each time twice as many. */
+/* Number of chords of a span within OFF of it, tested halfway along them and doubled until it suffices. */
 static int chords_needed(const Spline *s, int span, double unit)
 {
     const double from = s->knot[span], step = s->knot[span + 1] - from;
@@ -877,12 +881,12 @@ static hawser_status corners_add(const SurveyInput *in, const DxfEntity *e, cons
     return status;
 }
 
-/* Without control points the fit points are places along the line. */
+/* Adds the fit points as places along the line, if there are no control points. */
 static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const Spline *s)
 {
     DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
     if (!corner) return error_memory(in->err);
-    survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
+    survey_ignore(in->out, "SPLINE: the curve between its fit points, since it has no control points");
     const int before = in->out->n;
     for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
     const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
@@ -931,14 +935,14 @@ static hawser_status dxf_add_spline(const SurveyInput *in, const DxfEntity *e)
     return status;
 }
 
-/* Sections and entities, one after the other: only what becomes a line or a mark is kept. */
+/* Reads sections and entities in order: only lines and marks are kept. */
 
 enum { NUMBERS_MOST = 1 << 26 };
 
-/* The character of "\U+00FC", as drawings before 2007 write what their code page has not; 0: no such. */
+/* The character of "\U+00FC", used by drawings before 2007 for characters outside their code page; 0: none. */
 static unsigned escape_of(const char *t) { return strncmp(t, "\\U+", 3) ? 0 : input_hex(t + 3, 4); }
 
-/* A name or layer as UTF-8; older drawings have bytes of a code page, taken for Latin-1 where it is not known. */
+/* Stores a name or layer as UTF-8; older drawings use a code page, assumed as Latin-1 if unknown. */
 static void text_set(const DxfStream *s, char *to, size_t size, const char *text)
 {
     const int utf8 = encoding_is_utf8(text);
@@ -988,7 +992,7 @@ static const struct {
               {"SPLINE", dxf_add_spline},
               {"ELLIPSE", dxf_add_ellipse}};
 
-/* Whether anything is made of an entity's numbers. */
+/* Checks whether an entity's numbers are used. */
 static int is_read(const char *kind)
 {
     static const char *const others[] = {"POLYLINE", "VERTEX", "INSERT", "POINT", "BLOCK"};
@@ -999,11 +1003,11 @@ static int is_read(const char *kind)
     return 0;
 }
 
-/* Whether a number of an entity is one that its place and shape depend on. */
+/* Checks whether an entity's place and shape depend on a number. */
 static int is_shape(int code) { return code < 60 || (code >= 66 && code < 80) || (code >= 210 && code < 240); }
 
-/* Collects the tags behind `tag`, which begins an entity, up to the next one. Behind group 101 stands an object within
- * it, with groups of its own. What is wrong is e->bad: it matters only if the entity is wanted. */
+/* Collects the tags after `begin`, which starts an entity, up to the next one. After group 101 follows an embedded
+ * object with its own groups. Faults are stored in e->bad: they only matter if the entity is used. */
 static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e)
 {
     enum { EMBEDDED = 101, EXTENDED = 1000 };
@@ -1035,7 +1039,7 @@ static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e
     return more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
-/* An entity that cannot be read is left out, and noted; err has the reason. Other errors stay. */
+/* Leaves out an unreadable entity and notes it; err has the reason. Other errors are passed on. */
 static hawser_status entity_leave(DxfStream *s, const DxfEntity *e, hawser_status status)
 {
     enum { FEW = 8 };
@@ -1054,7 +1058,7 @@ static hawser_status entity_leave(DxfStream *s, const DxfEntity *e, hawser_statu
     return HAWSER_OK;
 }
 
-/* Why an entity's tags cannot be read; OK: they can. */
+/* Checks whether an entity's tags are readable; else sets the reason. */
 static hawser_status entity_check(DxfStream *s, const DxfEntity *e)
 {
     if (e->bad > 0) return input_error(s->in, "group %d of a %s is no number", e->bad, e->kind);
@@ -1062,8 +1066,8 @@ static hawser_status entity_check(DxfStream *s, const DxfEntity *e)
     return HAWSER_OK;
 }
 
-/* POLYLINE: VERTEX after VERTEX up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a spline's
- * frame, which is no part of the line. */
+/* Reads a POLYLINE: VERTEX entities up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a
+ * spline's frame, which is not part of the line. */
 static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
 {
     enum { CLOSED = 1, SPACE = 8, MESHES = 16 | 64, FRAME = 16 };
@@ -1100,8 +1104,8 @@ static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
     return status;
 }
 
-/* A point or a block's insertion, in its own system; attributes follow an insertion with 66. The first with a text
- * names it. */
+/* Reads a point or a block's insertion in its own system; attributes follow an insertion with 66. The first attribute
+ * with a text is its name. */
 static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
 {
     const int insert = !strcmp(e->kind, "INSERT");
@@ -1133,7 +1137,7 @@ static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
     return status;
 }
 
-/* An insertion's lines: now, or within the block that is being read, whose own marks are none of the drawing's. */
+/* Adds an insertion's lines: now, or to the block being read, whose own marks are not the drawing's. */
 static hawser_status insert_read(DxfStream *s, const DxfEntity *e, int in_block)
 {
     DxfInsert insert;
@@ -1143,7 +1147,7 @@ static hawser_status insert_read(DxfStream *s, const DxfEntity *e, int in_block)
     return dxf_follow(s, &insert);
 }
 
-/* in_block: it is one of a block's. */
+/* Adds an entity. in_block: it belongs to a block. */
 static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
 {
     static const char *const silent[] = {"SEQEND", "ATTRIB", "ATTDEF", "ENDBLK", "POINT", "TEXT", "MTEXT"};
@@ -1152,7 +1156,7 @@ static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
     if (!strcmp(e->kind, "POLYLINE") && !sheet && dxf_number(e, 60, 0) != 1) return polyline_read(s, e);
     if (sheet || dxf_number(e, 60, 0) == 1) {
         char what[SURVEY_NAME_MAX];
-        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is not to be seen", e->kind);
+        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is invisible", e->kind);
         survey_ignore(s->in->out, what);
         return HAWSER_OK;
     }
@@ -1177,7 +1181,7 @@ static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
 /* ---------------------------------------------------------------------------------------------------------- sections
  */
 
-/* $INSUNITS by number: metres in one. */
+/* Sets the unit by $INSUNITS: metres per unit. */
 static void unit_set(SurveyInput *in, int code)
 {
     static const struct {
@@ -1216,7 +1220,7 @@ static void unit_set(SurveyInput *in, int code)
     input_unit(in, 1, "the drawing does not say");
 }
 
-/* $DWGCODEPAGE, as "ANSI_1251", "DOS850" or a name of its own, "GB2312". */
+/* Sets the code page by $DWGCODEPAGE, such as "ANSI_1251", "DOS850" or another name, "GB2312". */
 static void page_set(DxfStream *s, const char *text)
 {
     char name[40];
@@ -1225,7 +1229,7 @@ static void page_set(DxfStream *s, const char *text)
     if (s->page == (iconv_t)-1) s->page = iconv_open("UTF-8", numbered ? name : text);
 }
 
-/* Variables: 9 with a name, then its value. */
+/* Reads the variables: 9 with a name, then its value. */
 static hawser_status header_read(DxfStream *s)
 {
     DxfTag tag;
@@ -1254,7 +1258,7 @@ static hawser_status entities_read(DxfStream *s)
     return status ? status : more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
-/* Whether insertions of a block may be followed. Hatches, dimensions, tables and sheets have theirs too. */
+/* Checks whether insertions of a block may be expanded. Hatches, dimensions, tables and sheets use blocks too. */
 static int is_followed_block(const char *name)
 {
     static const char *const others[] = {"*X", "*D", "*T", "*Paper", "*Model"};
@@ -1263,7 +1267,7 @@ static int is_followed_block(const char *name)
     return 1;
 }
 
-/* Lines of blocks are kept until an insertion says where they are. */
+/* Reads blocks: their lines are kept until an insertion gives their place. */
 static hawser_status blocks_read(DxfStream *s)
 {
     Survey *const drawing = s->in->out;
@@ -1312,7 +1316,7 @@ hawser_status dxf_read(SurveyInput *in)
     dxf_begin(&s, in);
     unit_set(in, 0);
     while (!status && (more = dxf_next(&s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "EOF"))) {
-        if (tag.code != 2) continue; /* a section's name behind its beginning */
+        if (tag.code != 2) continue; /* a section's name follows its beginning */
         ++sections;
         if (!strcmp(tag.text, "HEADER"))
             status = header_read(&s);

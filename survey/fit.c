@@ -23,7 +23,8 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* How far point 2 of 5 lies beside the cubic through the others, over what that is of one point's scatter. */
+/* Distance of point 2 of 5 from the cubic through the others, over the scatter that one point's scatter causes in it.
+ */
 static double beside(const Node *p)
 {
     double u[5] = {0}, x = -p[2].x, y = -p[2].y, squares = 1;
@@ -42,7 +43,7 @@ static double beside(const Node *p)
     return fabs(cx * y - cy * x) / fmax(hypot(cx, cy), 1e-300) / sqrt(squares);
 }
 
-/* The standard deviation of points about a smooth line, by the median: (FT7). 0 of fewer than 9. NAN: no memory. */
+/* Standard deviation of points about a smooth line, by the median: (FT7). 0 for fewer than 9. NAN: no memory. */
 static double scatter_of(const Line *l)
 {
     const int n = l->n - 4;
@@ -67,17 +68,17 @@ static double turn_at(const Line *l, int i)
     return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
 }
 
-/* From node i to the next one. */
+/* Distance from node i to the next one. */
 static double leg_of(const Line *l, int i)
 {
     return hypot(l->node[i + 1].x - l->node[i].x, l->node[i + 1].y - l->node[i].y);
 }
 
-/* What turns more at one point is a corner, not a chord's end. */
+/* A larger turn at one point is a corner, not a chord's end. */
 static const double CORNER_TURN = 0.5;
 
-/* Whether the nodes between `from` and `to` turn to one side, each at least by a tenth of the largest turn, and none
- * like a corner. */
+/* Checks whether the nodes between `from` and `to` turn to one side, each at least by a tenth of the largest turn, and
+ * none like a corner. */
 static int turns_alike(const Line *l, int from, int to)
 {
     double least = INFINITY, most = 0;
@@ -99,8 +100,8 @@ static double legs_ratio(const Line *l, int from, int to)
     return most / least;
 }
 
-/* Whether the other two of five points lie on the circle through the first, the middle and the last one, within `off`.
- */
+/* Checks whether the other two of five points lie on the circle through the first, the middle and the last one, within
+ * `off`. */
 static int on_circle(const Node *p, double off)
 {
     const double ax = p[2].x - p->x, ay = p[2].y - p->y, bx = p[4].x - p->x, by = p[4].y - p->y;
@@ -111,8 +112,8 @@ static int on_circle(const Node *p, double off)
     return 1;
 }
 
-/* Whether the nodes from `from` to `to` are the ends of chords of one arc that touches the legs on either side: equal
- * legs, equal turns between them, and half of these at both ends. */
+/* Checks whether the nodes from `from` to `to` are the ends of chords of one arc tangent to the legs on either side:
+ * equal legs, equal turns between them, and half of these at both ends. */
 static int is_rounded_corner(const Line *l, int from, int to)
 {
     const double t = turn_at(l, from + 1), a = turn_at(l, from) / t, b = turn_at(l, to) / t;
@@ -121,13 +122,14 @@ static int is_rounded_corner(const Line *l, int from, int to)
     return alike && fabs(a - 0.5) < 0.05 && fabs(b - 0.5) < 0.05;
 }
 
-/* Legs of a drawn line that are chords of an arc or a clothoid are not straights of it: five points in a row that turn
- * alike on a circle or, where they turn little, on a cubic; fewer where they round a corner off. What was found is
- * reported, with how far such a leg is beside its arc: half of it times the tangent of a quarter of its turn. */
+/* Finds legs of a drawn line that are chords of an arc or a clothoid, not straights: five points in a row with similar
+ * turns on a circle or, if they turn little, on a cubic; fewer where they round a corner. Reports them, with the
+ * distance of such a leg from its arc: half of it times the tangent of a quarter of its turn. */
 static void chords_find(Line *l, double off, FitReport *report)
 {
     enum { WINDOW = 5 };
-    const double smooth = 1, few = 3; /* rad, within which a cubic is a clothoid; of legs beside each other */
+    const double smooth = 1,
+                 few = 3; /* rad, within which a cubic approximates a clothoid; largest ratio of adjacent legs */
     for (int i = 0; i < l->n; ++i) l->node[i].chord = 0;
     for (int from = 0; from < l->n; ++from) {
         int to = from + WINDOW - 1;
@@ -149,7 +151,7 @@ static void chords_find(Line *l, double off, FitReport *report)
     }
 }
 
-/* Points that are closer than `least` become one; at most NODES_MOST. 0: no memory. */
+/* Merges points that are closer than `least`; keeps at most NODES_MOST. Returns 0 without memory. */
 static int nodes_thin(const Line *l, double least, Line *out)
 {
     double length = 0;
@@ -181,9 +183,9 @@ static int nodes_thin(const Line *l, double least, Line *out)
     return 1;
 }
 
-/* A corner of a drawn line, not a point on a bend: it turns much, or farther than a bend through its neighbours may lie
- * beside the legs. Where legs are not known to be straight it does so alone: neighbours that turn to the same side make
- * it a bend. */
+/* Checks for a corner of a drawn line, as opposed to a point on a bend: it turns much, or farther than a bend through
+ * its neighbours may deviate from the legs. If legs are not known to be straight it must turn alone: neighbours that
+ * turn to the same side make it a bend. */
 static int is_corner(const Line *l, int i, double scatter, double deviation)
 {
     if (i < 1 || i + 1 >= l->n) return 0;
@@ -194,7 +196,7 @@ static int is_corner(const Line *l, int i, double scatter, double deviation)
     return turn > CORNER_TURN || ((drawn || turn > 4 * beside) && turn * h / 8 > deviation);
 }
 
-/* Whether a bend through the ends of the leg behind node i could leave it by more than `unseen`, m. */
+/* Checks whether a bend through the ends of the leg after node i could deviate from it by more than `unseen`, m. */
 static int is_leg(const Line *l, int i, double scatter, double deviation, double unseen)
 {
     const double turn = fmax(fabs(turn_at(l, i)), fabs(turn_at(l, i + 1)));
@@ -202,8 +204,8 @@ static int is_leg(const Line *l, int i, double scatter, double deviation, double
            is_corner(l, i + 1, scatter, deviation);
 }
 
-/* Legs that are known to be straight, and those beside corners, get points of their own: they are not the chords of a
- * bend. 0: no memory. */
+/* Adds points to legs that are known to be straight, and to those beside corners, which are not the chords of a bend.
+ * Returns 0 without memory. */
 static int corners_fill(const Line *l, double scatter, double deviation, double unseen, Line *out)
 {
     *out = (Line){0, malloc((size_t)l->n * CORNER_PARTS * sizeof *out->node)};
@@ -238,8 +240,8 @@ static double farthest(int m, const Foot *foot)
     return most;
 }
 
-/* An arc between straights that cuts its corner off by less than can be seen, or that is sharper than the least radius,
- * becomes as wide as the deviation allows: (FT8). foot: [m]. */
+/* Widens arcs between straights as far as the deviation allows, if they cut their corner by less than can be seen or
+ * are sharper than the least radius: (FT8). foot: [m]. */
 static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOptions *o, Foot *foot, hawser_error *err)
 {
     const double before = farthest(m, foot), unseen = 0.1, most = 0.9;
@@ -288,8 +290,8 @@ static double rms_of(const Fitted *f)
     return sqrt(sum / f->n_seen);
 }
 
-/* How well the points tell each arc's curvature, in its k_sd; what stays as the file has it, or is as wide as the
- * deviation allows, they do not tell. A few pieces on either side have all the say. foot: [m]. */
+/* Computes the standard deviation of each arc's curvature, k_sd; for curvatures that the file fixes, or that are as
+ * wide as the deviation allows, the points do not determine it. Only a few pieces on either side matter. foot: [m]. */
 static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot *foot, double sigma, hawser_error *err)
 {
     enum { ASIDE = 3 };
@@ -308,7 +310,7 @@ static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot 
     return status;
 }
 
-/* The chain through the line, from given pieces on if there are some (in f->piece). */
+/* Fits the chain through the line, from given pieces if there are some (in f->piece). */
 hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
     Line thin = {0, NULL}, full = {0, NULL}, seen = {0, NULL};
@@ -358,7 +360,7 @@ static int is_smooth_plan(const Alignment *a)
     return a->n_plan > 0 && m.gap < 1e-3 && m.turn < 1e-3;
 }
 
-/* drawn: the way to it is straight. */
+/* Adds a node; drawn: the line to it is straight. */
 int node_add(Line *l, double x, double y, int drawn)
 {
     if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
@@ -369,7 +371,8 @@ int node_add(Line *l, double x, double y, int drawn)
     return 1;
 }
 
-/* The line's points, or its elements' ends with points along curves, all from `origin` on. 0: no memory. */
+/* Collects the line's points, or its elements' ends with points along curves, all relative to `origin`. Returns 0
+ * without memory. */
 int plan_line(const Alignment *a, Vec3 origin, Line *l)
 {
     int fine = 1;
@@ -386,8 +389,8 @@ int plan_line(const Alignment *a, Vec3 origin, Line *l)
     return fine;
 }
 
-/* Pieces of a line that has curves already: these are kept, and straights between them. Many straights in a row are
- * chords, and their line one of points. 0: no memory. */
+/* Copies the pieces of a line that has curves already: these are kept, and straights between them. Many straights in a
+ * row are chords; such a line is treated as points. Returns 0 without memory. */
 static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
 {
     enum { STRAIGHTS_MOST = 5 };
@@ -443,8 +446,8 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
     return status;
 }
 
-/* ---------------------------------------------------------------------------------------------------------- the whole
- */
+/* ---------------------------------------------------------------------------------------------------------- complete
+ * fit */
 
 static void radii_report(const Alignment *a, double limit, FitReport *r)
 {
@@ -487,10 +490,10 @@ hawser_status fit_alignment(const Alignment *line, const Alignment *profile, con
     return status;
 }
 
-/* The heights of a line, by the length in plan: its own, those of points beside it, of another alignment, or drawn. */
+/* Heights of a line, by the length in plan: its own, those of points beside it, of another alignment, or drawn. */
 
-/* Points that stand beside the plan, from its start on; one at either end of the plan is put around them, to which the
- * feet of a first and a last node are tied. node, foot: [n_points + 2]. */
+/* Finds the feet of points beside the plan, from its start on. One node at either end of the plan is added around them,
+ * to which the feet of a first and a last node are tied. node, foot: [n_points + 2]. */
 static hawser_status feet_of_points(const Alignment *plan, const Alignment *from, Node *node, Foot *foot,
                                     hawser_error *err)
 {
@@ -508,7 +511,8 @@ static hawser_status feet_of_points(const Alignment *plan, const Alignment *from
     node[0] = (Node){.weight = 1};
     node[n + 1] = (Node){.x = end.x - start.x, .y = end.y - start.y, .weight = 1};
     const hawser_status status = chain_refine(plan->n_plan, piece, n + 2, node, 0, INFINITY, foot, err);
-    for (int i = 0; i < n + 2 && !status; ++i) { /* square to it where the line has ended, else as far as it is */
+    for (int i = 0; i < n + 2 && !status;
+         ++i) { /* perpendicular distance beyond the line's ends, else the distance from the foot */
         const PlanElement *const e = &piece[foot[i].piece].e, at = plan_at(e, fmin(fmax(foot[i].s, 0), e->length));
         const double x = node[i].x - at.x, y = node[i].y - at.y;
         const int on = foot[i].s >= 0 && foot[i].s <= e->length;
@@ -525,8 +529,8 @@ static hawser_status point_refuse(const Alignment *from, const Vec3 *p, const ch
                      p->y, p->z, metres, why);
 }
 
-/* Stations and heights of the points by their feet: [n_points + 2]. What lies back along the line is left out where its
- * height says nothing new. */
+/* Computes stations and heights of the points from their feet: [n_points + 2]. Points that go back along the line are
+ * left out if their height is not new. */
 static hawser_status heights_at_feet(const Alignment *plan, const Alignment *from, const FitOptions *o,
                                      const Foot *foot, Line *l, hawser_error *err)
 {
@@ -543,8 +547,8 @@ static hawser_status heights_at_feet(const Alignment *plan, const Alignment *fro
             return point_refuse(from, p, "beside the line whose heights it is to give", f->away, err);
         if (back && rise > o->deviation)
             return point_refuse(from, p,
-                                "above or below a point that lies no farther along the line: no profile can say that, "
-                                "a 'radius' for the corners of a line of straights can",
+                                "above or below a point that lies no farther along the line: a profile cannot express "
+                                "that, a 'radius' for the corners of a line of straights can",
                                 rise, err);
         if (!back) z = p->z;
         if (!back && !node_add(l, s, z, from->drawn)) status = error_memory(err);
@@ -552,7 +556,7 @@ static hawser_status heights_at_feet(const Alignment *plan, const Alignment *fro
     return status;
 }
 
-/* Stations and heights of points beside the plan, from its start to its end or the other way. */
+/* Computes stations and heights of points beside the plan, in its direction or the opposite. */
 static hawser_status heights_of_points(const Alignment *plan, const Alignment *from, const FitOptions *o, Line *l,
                                        hawser_error *err)
 {
@@ -574,7 +578,7 @@ static hawser_status heights_of_points(const Alignment *plan, const Alignment *f
     return status;
 }
 
-/* The corners of a profile's elements, with points along its curves, `shift` m on. */
+/* Collects the corners of a profile's elements, with points along its curves, moved by `shift` m. */
 static int heights_of_profile(const Alignment *from, double shift, Line *l)
 {
     int fine = 1;
@@ -590,8 +594,8 @@ static int heights_of_profile(const Alignment *from, double shift, Line *l)
     return fine;
 }
 
-/* A drawn profile: its points or elements' ends, x the station; the line begins at `station`. One that is drawn from
- * right to left is turned around, with what is known of the way from each place to the next. */
+/* Collects a drawn profile: its points or elements' ends, x is the station; the line begins at `station`. One drawn
+ * from right to left is reversed, including the marks of straight legs. */
 static int heights_drawn(const Alignment *from, double station, Line *l)
 {
     if (!plan_line(from, v3(station, 0, 0), l)) return 0;
@@ -610,8 +614,8 @@ static hawser_status profile_take(const Piece *p, Alignment *out, hawser_error *
     const PlanElement end = plan_at(&p->e, p->e.length);
     if (fmax(fabs(p->e.heading), fabs(end.heading)) > 80 * PI / 180) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' is steeper than 80 deg %.1f m from its start: no profile can say that", out->name,
-                         p->e.x);
+                         "'%.60s' is steeper than 80 deg %.1f m from its start: a profile cannot express that",
+                         out->name, p->e.x);
     }
     ProfileElement *const e = alignment_add_profile(out);
     if (!e) return error_memory(err);
@@ -650,7 +654,7 @@ static int is_smooth_profile(const Alignment *a)
     return 1;
 }
 
-/* The profile of an alignment as it is; `shift`, m, from its stations to those of the line. */
+/* Copies the profile of an alignment; `shift`, m, from its stations to those of the line. */
 static hawser_status profile_copy(const Alignment *from, double shift, Alignment *out, hawser_error *err)
 {
     for (int i = 0; i < from->n_profile; ++i) {
@@ -662,7 +666,7 @@ static hawser_status profile_copy(const Alignment *from, double shift, Alignment
     return HAWSER_OK;
 }
 
-/* Heights of another file must reach along all of the line: within a metre, over which the last grades go on. */
+/* Checks that heights of another file cover the whole line: within a metre, over which the last grades continue. */
 static hawser_status reach_check(const Alignment *from, const Alignment *out, hawser_error *err)
 {
     const double slack = 1, length = alignment_measure(out).plan_length;
@@ -687,7 +691,7 @@ hawser_status profile_fit(const Alignment *line, const Alignment *profile, const
     if (o->profile_drawn && from->n_profile == 0)
         status = heights_drawn(from, line->station, &l) ? HAWSER_OK : error_memory(err);
     else if (from->n_profile == 0 && (from->flat || from->n_points == 0))
-        return HAWSER_OK; /* level at 0 */
+        return HAWSER_OK; /* no profile means level at 0 */
     else if (from->n_profile && is_smooth_profile(from))
         status = profile_copy(from, shift, out, err);
     else if (from->n_profile)
@@ -700,22 +704,22 @@ hawser_status profile_fit(const Alignment *line, const Alignment *profile, const
     return status;
 }
 
-/* Where a line of points is cut into pieces: dynamic programming over the places, each piece fitted for itself by
+/* Cuts a line of points into pieces: dynamic programming over the places, each piece fitted alone by
  * linear least squares about the points' own headings: (FT5), (FT6) of docs/model/16-alignments.md. */
 
 const double piece_worth = 20;
 
-/* What a kind has more unknowns for, each piece being for itself. */
+/* Additional cost of a kind for its unknowns, for separate pieces. */
 static const double kind_worth[3] = {0, 10, 16};
 
-/* Features: the start's place, heading, curvature and its growth. The first 3, 4, 5 of them make the kinds. */
+/* Features: the start's place, heading, curvature and its rate. The first 3, 4, 5 of them make the kinds. */
 enum { FEATURES = 5, REACH_MOST = 700 };
 
-/* A node with the heading there and the way to the next one. */
+/* A node with the heading there and the path to the next one. */
 typedef struct Course {
     double x, y, weight;
     double heading, step;   /* rad, unwrapped; m along the curve to the next node */
-    double t[2], middle[2]; /* the tangent there and in the middle of that way */
+    double t[2], middle[2]; /* the tangent there and in the middle of that path */
 } Course;
 
 /* Sums over the nodes of a piece, from its first one on. */
@@ -728,7 +732,7 @@ typedef struct Way {
     double s, t[2], turned[2], moment[3][2];
 } Way;
 
-/* The way from node c to the next one, over which the heading turns evenly; Simpson's rule. */
+/* Adds the path from node c to the next one, over which the heading turns evenly; Simpson's rule. */
 static void way_go(const Course *c, double heading0, Way *w)
 {
     static const double part[3] = {0, 0.5, 1}, weight[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
@@ -746,7 +750,7 @@ static void way_go(const Course *c, double heading0, Way *w)
     w->s += c->step;
 }
 
-/* Node c of the piece that begins at node `from`: (FT5). */
+/* Adds node c of the piece that begins at node `from`: (FT5). */
 static void piece_node_add(const Course *from, const Course *c, const Way *w, Sums *sums)
 {
     const double n[2] = {-c->t[1], c->t[0]};
@@ -763,7 +767,7 @@ static void piece_node_add(const Course *from, const Course *c, const Way *w, Su
     sums->weight += c->weight;
 }
 
-/* Cholesky's factor, row by row; left[k]: the squares that are left with the first k + 1 features. z: the factor's
+/* Computes Cholesky's factor, row by row; left[k]: the squares remaining with the first k + 1 features. z: the factor's
  * solution of the right-hand side. */
 static void sums_solve(const Sums *sums, double l[FEATURES][FEATURES], double z[FEATURES], double left[FEATURES])
 {
@@ -777,7 +781,7 @@ static void sums_solve(const Sums *sums, double l[FEATURES][FEATURES], double z[
             rest -= l[i][k] * l[i][k];
             b -= l[i][k] * z[k];
         }
-        const double nothing = 1e-12 * sums->h[i][i] + 1e-30; /* what the points say nothing about */
+        const double nothing = 1e-12 * sums->h[i][i] + 1e-30; /* undetermined by the points */
         l[i][i] = sqrt(rest > nothing ? rest : nothing);
         z[i] = rest > 1e-10 * sums->h[i][i] ? b / l[i][i] : 0;
         squares -= z[i] * z[i];
@@ -787,7 +791,7 @@ static void sums_solve(const Sums *sums, double l[FEATURES][FEATURES], double z[
 
 /* -------------------------------------------------------------------------------------------------------- courses */
 
-/* The heading at node i by the chord over `wide` nodes on either side, the slope of a parabola through them. */
+/* Heading at node i by the chord over `wide` nodes on either side, the slope of a parabola through them. */
 static double heading_near(int m, const Node *node, int i, int wide)
 {
     const int a = i > wide ? i - wide : 0, b = i + wide < m ? i + wide : m - 1;
@@ -829,7 +833,7 @@ static Course *course_make(int m, const Node *node, double sigma)
         c[i] = (Course){.x = node[i].x, .y = node[i].y, .weight = node[i].weight};
         const int j = i + 1 < m ? i : i - 1;
         const double h = hypot(node[j + 1].x - node[j].x, node[j + 1].y - node[j].y);
-        int wide = 1; /* the least at which the heading's error is below 0.02 rad */
+        int wide = 1; /* the least width with a heading error below 0.02 rad */
         while (wide < 8 && 1.22 * sigma / (h * pow(wide, 1.5)) > 0.02) ++wide;
         c[i].heading = heading_near(m, node, i, wide);
         if (i > 0) c[i].heading = c[i - 1].heading + remainder(c[i].heading - c[i - 1].heading, 2 * acos(-1));
@@ -851,7 +855,7 @@ typedef struct Best {
     PieceKind kind;
 } Best;
 
-/* All pieces that begin at node i; they end when even a clothoid is far too bad. */
+/* Tries all pieces that begin at node i, up to the length at which even a clothoid is far too bad. */
 static void pieces_try(int m, const Course *c, int i, double sigma2, int clothoids, Best *best)
 {
     Sums sums = {.weight = 0};
@@ -893,7 +897,8 @@ static Piece piece_make(const Course *c, int i, int j, PieceKind kind)
                    .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S, 0, 0}};
 }
 
-/* One stretch of m nodes between corners, from node `first` of the line on; its pieces behind the *n that are there. */
+/* Cuts one stretch of m nodes between corners, from node `first` of the line on; appends its pieces to the *n present
+ * ones. */
 static int stretch_cut(int m, const Node *line, int first, double sigma, int clothoids, Piece **piece, int *n)
 {
     Course *const c = course_make(m, line + first, sigma);
@@ -932,7 +937,7 @@ hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Pi
         *piece = NULL;
         return error_memory(err);
     }
-    for (int k = 1; k < *n; ++k) { /* curvatures that are meant to be the same */
+    for (int k = 1; k < *n; ++k) { /* curvatures meant to be equal */
         const PlanElement *const e = &(*piece)[k].e;
         const double L = fmin(e->length, (*piece)[k - 1].e.length),
                      away = fabs(e->k0 - (*piece)[k - 1].e.k1) * L * L / 8;
@@ -941,19 +946,19 @@ hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Pi
     return HAWSER_OK;
 }
 
-/* A long line is fitted in blocks of some pieces, and then across the seams between them: the search's time grows with
- * the length, and a place where it fails is tried again by itself. docs/model/16-alignments.md, "Long lines". */
+/* Fitting of a long line in blocks of some pieces, and then across the seams between them: the search's time grows in
+ * proportion to the length, and a place where it fails is repeated alone. docs/model/16-alignments.md, "Long lines". */
 
-/* Pieces a block; within how many of them the longest one is where it ends; pieces on either side of a seam that are
- * gone over again. */
+/* Pieces per block; range of pieces in which the longest is chosen as its end; pieces on either side of a seam that are
+ * improved again. */
 enum { BLOCK_PIECES = 24, BLOCK_SLACK = 8, SEAM_ASIDE = 4 };
 
-/* How often a line's blocks are tried again, beside once for every second of them. */
+/* Number of repeated trials of a line's blocks, in addition to one for every second block. */
 enum { RETRIES = 10 };
 
-/* Beyond these pieces it is not a line but a maze, on which the search would take minutes; so it is beyond fewer of
- * them where a piece has hardly more nodes than unknowns, as in a zigzag or where the scatter is larger than the
- * deviation. A survey has some 30 nodes a piece, the straight of a drawn line 12. */
+/* Beyond this number of pieces the points are no line, and the search would take minutes; likewise beyond fewer pieces
+ * with hardly more nodes than unknowns, as in a zigzag or if the scatter is larger than the deviation. A survey has
+ * some 30 nodes per piece, the straight of a drawn line 12. */
 enum { PIECES_MOST = 1500, MAZE_PIECES = 400, MAZE_NODES = 6 };
 
 /* A chain of a part of the line. */
@@ -961,10 +966,10 @@ typedef struct Part {
     int n;
     Piece *piece; /* [n] */
     double cost;  /* (FT6) */
-    double worst; /* m, how far the farthest node is off */
+    double worst; /* m, distance of the farthest node */
 } Part;
 
-/* Some nodes of the line, with what the whole search is about. */
+/* Some nodes of the line, with the parameters of the whole search. */
 typedef struct Stretch {
     const Node *node; /* [m] */
     int m, clothoids;
@@ -973,7 +978,7 @@ typedef struct Stretch {
     hawser_error *err;
 } Stretch;
 
-/* The best chain from one start: cuts for points that scatter by `start`. */
+/* Finds the best chain from one start: cuts for points that scatter by `start`. */
 static hawser_status part_from(const Stretch *s, double start, Part *p)
 {
     *p = (Part){.worst = 0};
@@ -991,8 +996,8 @@ static int is_better(const Stretch *s, const Part *a, const Part *b)
     return a_within != b_within ? a_within : a->cost < b->cost;
 }
 
-/* The best chain of several starts, if the first one leaves nodes beyond the deviation: the search goes downhill only,
- * and from finer or coarser cuts it goes another way. *retries: how many are left. */
+/* Finds the best chain of several starts, if the first one leaves nodes beyond the deviation: the search only goes
+ * downhill, and takes another path from finer or coarser cuts. *retries: number left. */
 static hawser_status part_find(const Stretch *s, int *retries, Part *best)
 {
     static const double other[] = {0.5, 2, 0.25, 0.7, 1.4};
@@ -1013,8 +1018,7 @@ static hawser_status part_find(const Stretch *s, int *retries, Part *best)
 
 /* ---------------------------------------------------------------------------------------------------------- seams */
 
-/* Straights that go on in one another are one piece; so are the halves of an arc or clothoid. `into` keeps its start.
- */
+/* Merges collinear straights, or the halves of an arc or clothoid. `into` keeps its start. */
 static void halves_merge(Piece *into, const Piece *behind)
 {
     const double length = into->e.length + behind->e.length;
@@ -1025,8 +1029,8 @@ static void halves_merge(Piece *into, const Piece *behind)
     if (into->kind == PIECE_CLOTHOID) into->e.k1 = behind->e.k1;
 }
 
-/* A block's pieces behind the *n that are there, in room for all; the first of them goes on from the last one there if
- * both are of a kind. */
+/* Appends a block's pieces to the *n present ones, which have space for all; its first piece continues the last one if
+ * both are of one kind. */
 static void part_append(const Part *p, int goes_on, Piece *piece, int *n)
 {
     const int merged = goes_on && piece[*n - 1].kind == p->piece[0].kind;
@@ -1035,8 +1039,8 @@ static void part_append(const Part *p, int goes_on, Piece *piece, int *n)
     *n += p->n - merged;
 }
 
-/* The node in the middle of the longest piece about the one that is a block's length behind piece *q, which it becomes.
- * The last node if the line ends before. */
+/* The node in the middle of the longest piece near the one a block's length after piece *q, which becomes that piece.
+ * Returns the last node if the line ends before. */
 static int seam_find(int n, const Piece *piece, int *q, int m)
 {
     int best = *q + BLOCK_PIECES;
@@ -1048,7 +1052,7 @@ static int seam_find(int n, const Piece *piece, int *q, int m)
     return (piece[best].from + piece[best + 1].from) / 2;
 }
 
-/* The line block by block, each for itself; the pieces about seams are not settled. *piece: allocated. */
+/* Fits the line block by block; the pieces near seams stay unsettled. *piece: allocated. */
 static hawser_status blocks_fit(const Stretch *all, int n_cuts, const Piece *cut, Piece **piece, int *n)
 {
     hawser_status status = HAWSER_OK;

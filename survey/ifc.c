@@ -1,4 +1,4 @@
-/* What the parts of the IFC reader share: a file with its units and its nesting, small entities. */
+/* Shared by the parts of the IFC reader: a file with its units and its nesting, small entities. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "survey/step.h"
 
-/* Part number `order` of a whole. */
+/* A part of a whole, with its number `order`. */
 typedef struct IfcNest {
     long whole, part;
     int order;
@@ -15,8 +15,8 @@ typedef struct IfcNest {
 
 typedef struct IfcFile {
     StepFile step;
-    double angle; /* rad in the file's unit of angle */
-    long cant;    /* the IfcAlignmentCant of the alignment that is read; 0: none */
+    double angle; /* rad per the file's unit of angle */
+    long cant;    /* the IfcAlignmentCant of the alignment being read; 0: none */
     int n_nests;
     IfcNest *nest; /* [n_nests], by whole and order */
 } IfcFile;
@@ -32,10 +32,10 @@ typedef struct IfcLaw {
     double from, side, length;  /* m; 1 or -1; m, >= 0 */
 } IfcLaw;
 
-/* The first of a whole's parts in file->nest; *n of them, 0: none. */
+/* The first of a whole's parts in file->nest; *n is their number, 0: none. */
 static const IfcNest *ifc_parts(const IfcFile *file, long whole, int *n)
 {
-    int low = 0, high = file->n_nests; /* the first one that is not before it */
+    int low = 0, high = file->n_nests; /* the first one not before it */
     while (low < high) {
         const int middle = low + (high - low) / 2;
         if (file->nest[middle].whole < whole)
@@ -48,8 +48,8 @@ static const IfcNest *ifc_parts(const IfcFile *file, long whole, int *n)
     return *n ? file->nest + low : NULL;
 }
 
-/* A point or direction's coordinates, in the file's numbers; missing ones are 0; *given: how many it has, NULL: not
- * asked for. Errors: as step_entity, and INPUT if it has fewer than two. */
+/* Reads a point or direction's coordinates, in the file's numbers; missing ones are 0; *given: their number, or NULL.
+ * Errors: as step_entity, and INPUT if it has fewer than two. */
 static hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out, int *given)
 {
     StepEntity e = {0};
@@ -69,7 +69,7 @@ static hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out, int *gi
     return status;
 }
 
-/* IfcAxis2Placement2D(Location, RefDirection), IfcAxis2Placement3D(Location, Axis, RefDirection). */
+/* Reads IfcAxis2Placement2D(Location, RefDirection), IfcAxis2Placement3D(Location, Axis, RefDirection). */
 static hawser_status ifc_axes(const IfcFile *file, long id, Vec3 *origin, Vec3 *x_axis, int *tilted)
 {
     StepEntity e = {0};
@@ -88,10 +88,10 @@ static hawser_status ifc_axes(const IfcFile *file, long id, Vec3 *origin, Vec3 *
     return status;
 }
 
-/* An element with its length checked: shorter than 1e-9 m is left out. */
+/* Adds an element after checking its length: one shorter than 1e-9 m is left out. */
 static hawser_status ifc_add_plan(const IfcFile *file, Alignment *a, PlanElement e)
 {
-    if (!(e.length > 1e-9)) return HAWSER_OK; /* zero lengths end a list of segments */
+    if (!(e.length > 1e-9)) return HAWSER_OK; /* zero lengths mark the end of a list of segments */
     if (!isfinite(e.x + e.y + e.heading + e.length + e.k0 + e.k1)) {
         return input_error(file->step.in,
                            "alignment '%.40s': a horizontal segment without point, direction, length or radius",
@@ -117,14 +117,14 @@ static hawser_status ifc_add_profile(const IfcFile *file, Alignment *a, ProfileE
     return HAWSER_OK;
 }
 
-/* Transition curves whose curvature does not grow evenly, as clothoids end to end: (AL9)-(AL12) of
+/* Transition curves whose curvature is not linear, as clothoids end to end: (AL9)-(AL12) of
  * docs/model/16-alignments.md. */
 
 enum { PARTS_LEAST = 4, PARTS_MOST = 64, SAMPLES = 32, HALF = 2, NODES = 8 };
 
 static const double PI = 3.14159265358979323846;
 
-/* m, by which the clothoids may be off. */
+/* m, allowed error of the clothoids. */
 static const double OFF = 1e-5;
 
 /* Curvature at u on the parent: (AL9). */
@@ -137,7 +137,7 @@ static double law_at(const IfcLaw *w, double u)
     return k;
 }
 
-/* Its integral from 0. */
+/* Integral of the curvature from 0. */
 static double law_turn(const IfcLaw *w, double u)
 {
     double turn = 0;
@@ -148,7 +148,7 @@ static double law_turn(const IfcLaw *w, double u)
     return turn;
 }
 
-/* How many clothoids keep within OFF: (AL12). */
+/* Number of clothoids that keep within OFF: (AL12). */
 static int parts_of(const IfcLaw *w)
 {
     double least = INFINITY, most = -INFINITY;
@@ -162,7 +162,7 @@ static int parts_of(const IfcLaw *w)
     return (int)fmin(fmax(ceil(n), PARTS_LEAST), PARTS_MOST);
 }
 
-/* Where the law leads from `at` within h metres of it, by Gauss's sum of eight points: (AL10). */
+/* Moves from `at` by h metres along the law, by Gauss's sum of eight points: (AL10). */
 static void law_go(const IfcLaw *w, double s, double h, PlanElement *at)
 {
     static const double node[NODES / HALF] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -182,7 +182,7 @@ static void law_go(const IfcLaw *w, double s, double h, PlanElement *at)
     at->heading += law_turn(w, w->from + w->side * (s + h)) - begun;
 }
 
-/* Each clothoid turns by as much as the law does there, and its curvature grows by as much: (AL11). */
+/* Adds the law as clothoids that turn as much as the law does there, with the same change of curvature: (AL11). */
 static hawser_status ifc_add_law(const IfcFile *file, Alignment *a, PlanElement start, const IfcLaw *w)
 {
     hawser_status status = HAWSER_OK;
@@ -203,7 +203,7 @@ static hawser_status ifc_add_law(const IfcFile *file, Alignment *a, PlanElement 
     return status;
 }
 
-/* Curvature from k0 by `grows` over a length L, by a polynomial of s/L. */
+/* Law of curvature from k0 by `grows` over a length L, by a polynomial of s/L. */
 static IfcLaw law_of(double length, double k0, double grows, const double share[IFC_LAW_TERMS])
 {
     IfcLaw w = {.side = 1, .length = length, .period = length};
@@ -212,8 +212,9 @@ static IfcLaw law_of(double length, double k0, double grows, const double share[
     return w;
 }
 
-/* A transition by its type, from e's place with curvature k0 to k1 over its length. sway, m: of a Viennese bend the
- * height of the centre of gravity times the change of the cant's angle. 0: no such type; then nothing is added. */
+/* Adds a transition by its type, from e's place with curvature k0 to k1 over its length. sway, m: for a Viennese bend
+ * the height of the centre of gravity times the change of the cant's angle. Returns 0 for an unknown type; nothing is
+ * added then. */
 static int ifc_add_transition(const IfcFile *file, Alignment *a, const StepValue *type, double sway, PlanElement e,
                               hawser_status *status)
 {
@@ -250,31 +251,31 @@ static int ifc_add_transition(const IfcFile *file, Alignment *a, const StepValue
     return 1;
 }
 
-/* Curves that an alignment is drawn with: IfcGradientCurve over IfcCompositeCurve, IfcPolyline, IfcIndexedPolyCurve. */
+/* Curves that represent an alignment: IfcGradientCurve over IfcCompositeCurve, IfcPolyline, IfcIndexedPolyCurve. */
 
 enum { DEPTH_MOST = 8 };
 
 /* IfcCurveSegment(Transition, Placement, SegmentStart, SegmentLength, ParentCurve) with its parent's data. */
 typedef struct Segment {
-    Vec3 start, along;     /* the file's numbers */
+    Vec3 start, along;     /* in the file's numbers */
     double from, length;   /* on the parent, along it */
     double radius, spiral; /* of a circle; constant of a clothoid; 0: neither */
     double square;         /* coefficient of x^2 of a polynomial */
-    double linear;         /* of a polynomial, x of its parameter; NAN: lengths are given along it */
-    int degree, bent;      /* of a polynomial; its x or z is none of degree 1 */
+    double linear;         /* of a polynomial, x per parameter; NAN: lengths are along the curve */
+    int degree, bent;      /* of a polynomial; its x or z is not of degree 1 */
     int is_law;            /* the parent is another spiral */
     IfcLaw law;
 } Segment;
 
 /* The points of an indexed curve, m. */
 typedef struct Corners {
-    int n, flat, level; /* flat: without heights; level: all at one */
-    int elements;       /* they become elements in plan, not points */
+    int n, flat, level; /* flat: without heights; level: all at one height */
+    int elements;       /* the result is elements in plan, not points */
     Vec3 *at;           /* [n] */
 } Corners;
 
-/* What a length on a curve is where it is given as a parameter: an angle on a circle, so many vectors along a line. On
- * a clothoid programs write the length itself, whatever the schema's parameter is. */
+/* Scale of a length given as a parameter of a curve: an angle on a circle, a multiple of the vector along a line. For a
+ * clothoid programs write the length itself, whatever the schema's parameter is. */
 static hawser_status parameter_scale(const IfcFile *file, const StepEntity *parent, double *scale)
 {
     StepEntity vector = {0};
@@ -289,7 +290,7 @@ static hawser_status parameter_scale(const IfcFile *file, const StepEntity *pare
     return status;
 }
 
-/* Start and length on the parent, attributes 2 and 3, in the file's lengths. */
+/* Reads start and length on the parent, attributes 2 and 3, in the file's lengths. */
 static hawser_status lengths_read(const IfcFile *file, const StepEntity *e, const StepEntity *parent, Segment *out)
 {
     double scale = 1;
@@ -302,7 +303,7 @@ static hawser_status lengths_read(const IfcFile *file, const StepEntity *e, cons
     return status;
 }
 
-/* y over x of an IfcPolynomialCurve(Position, X, Y, Z), whose coordinates are polynomials of a parameter: the
+/* Reads y over x of an IfcPolynomialCurve(Position, X, Y, Z), whose coordinates are polynomials of a parameter: the
  * coefficient of x^2, and the highest power of any coordinate. */
 static void polynomial_read(const StepEntity *parent, int parameter, Segment *out)
 {
@@ -320,13 +321,13 @@ static void polynomial_read(const StepEntity *parent, int parameter, Segment *ou
     out->linear = parameter ? linear : NAN;
 }
 
-/* The curvature of a spiral of IFC 4.3 in the file's lengths: its terms A_i, the last attribute the constant one, stand
- * for u^i/(A_i |A_i|^i); a cosine's or sine's, the first attribute, for 1/A. 0: it is none. */
+/* Reads the curvature of a spiral of IFC 4.3 in the file's lengths: its terms A_i, the last attribute the constant one,
+ * mean u^i/(A_i |A_i|^i); a cosine's or sine's, the first attribute, 1/A. Returns 0 for other curves. */
 static int law_read(const StepEntity *parent, double unit, Segment *s)
 {
     static const struct {
         const char *name;
-        int terms, wave; /* how many attributes; whether the first of them is of a cosine, 1, or a sine, 2 */
+        int terms, wave; /* number of attributes; the first of them is of a cosine, 1, or a sine, 2 */
     } spirals[] = {{"IFCCOSINESPIRAL", 2, 1},
                    {"IFCSINESPIRAL", 3, 2},
                    {"IFCSECONDORDERPOLYNOMIALSPIRAL", 3, 0},
@@ -350,7 +351,7 @@ static int law_read(const StepEntity *parent, double unit, Segment *s)
     return 0;
 }
 
-/* Of a segment's polynomial what a straight in plan, or a parabola of the profile, is not. */
+/* Checks that a segment's polynomial is a straight in plan, or a parabola of the profile. */
 static hawser_status degree_check(const IfcFile *file, const Segment *s, long id, int profile)
 {
     if (!(fabs(s->length) > 1e-9) || s->degree <= (profile && !s->bent ? 2 : 1)) return HAWSER_OK;
@@ -387,11 +388,11 @@ static hawser_status segment_read(const IfcFile *file, long id, Segment *out)
     return status;
 }
 
-/* A negative length runs against its parent: on a circle clockwise. */
+/* Adds a segment in plan. A negative length runs against its parent: on a circle clockwise. */
 static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *a)
 {
     const double unit = file->step.in->unit, side = s->length < 0 ? -1 : 1;
-    const double rate = s->spiral != 0 ? copysign(1, s->spiral) / (s->spiral * s->spiral) : 0; /* curvature a metre */
+    const double rate = s->spiral != 0 ? copysign(1, s->spiral) / (s->spiral * s->spiral) : 0; /* curvature per metre */
     const double k = s->radius > 0 ? 1 / s->radius : 0;
     if (s->is_law)
         return ifc_add_law(
@@ -407,8 +408,8 @@ static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *
                                       .k1 = side * (k + rate * (s->from + s->length)) / unit});
 }
 
-/* The length in plan of `length` along a parabola from grade g on, whose z has the coefficient `square` of x^2:
- * Newton's steps on (AL7). */
+/* Length in plan of `length` along a parabola from grade g on, whose z has the coefficient `square` of x^2: Newton's
+ * steps on (AL7). */
 static double parabola_plan(double length, double g, double square)
 {
     double plan = length / sqrt(1 + g * g);
@@ -422,7 +423,8 @@ static double parabola_plan(double length, double g, double square)
     return plan;
 }
 
-/* Its length in plan follows from the next one's start; the last one's from its curve. */
+/* Adds an element of the profile. Its length in plan follows from the next one's start, the last one's from its curve.
+ */
 static hawser_status profile_add(const IfcFile *file, const Segment *s, double next, Alignment *a)
 {
     const double unit = file->step.in->unit, grade = s->along.y / s->along.x, slope = atan(grade);
@@ -443,7 +445,7 @@ static hawser_status profile_add(const IfcFile *file, const Segment *s, double n
                                             .bend = (s->radius > 0 ? side / s->radius : 2 * s->square) / unit});
 }
 
-/* All segments in attribute 0 of a composite or gradient curve. */
+/* Adds all segments in attribute 0 of a composite or gradient curve. */
 static hawser_status segments_add(const IfcFile *file, const StepEntity *curve, int profile, Alignment *a)
 {
     Segment now, next = {0};
@@ -483,7 +485,7 @@ static hawser_status polyline_add(const IfcFile *file, const StepEntity *curve, 
     return status;
 }
 
-/* The points of an IfcCartesianPointList, in metres. */
+/* Reads the points of an IfcCartesianPointList, in metres. */
 static hawser_status list_read(const IfcFile *file, long id, Corners *out)
 {
     StepEntity list = {0};
@@ -505,7 +507,7 @@ static hawser_status list_read(const IfcFile *file, long id, Corners *out)
     return status;
 }
 
-/* A straight in plan, or its second corner in space. */
+/* Adds a straight in plan, or its second corner in space. */
 static int straight_add(const Corners *c, Vec3 a, Vec3 b, Alignment *to)
 {
     const double length = hypot(b.x - a.x, b.y - a.y);
@@ -517,8 +519,8 @@ static int straight_add(const Corners *c, Vec3 a, Vec3 b, Alignment *to)
     return e != NULL;
 }
 
-/* From p over q to r on a circle: an element in plan, or in space chords 1 mm off. The centre is that of the triangle's
- * circle; seen from it, p lies along `out` and the arc goes toward `forth`. */
+/* Adds an arc from p over q to r: an element in plan, or in space chords 1 mm off. The centre is that of the triangle's
+ * circle; seen from it, p is in direction `out` and the arc goes toward `forth`. */
 static int arc_add(const Corners *c, Vec3 p, Vec3 q, Vec3 r, Alignment *to)
 {
     const Vec3 u = v3_sub(q, p), v = v3_sub(r, p), w = v3_cross(u, v);
@@ -546,7 +548,7 @@ static int arc_add(const Corners *c, Vec3 p, Vec3 q, Vec3 r, Alignment *to)
     return fine;
 }
 
-/* One IfcLineIndex or IfcArcIndex: corners by their numbers from 1. */
+/* Adds one IfcLineIndex or IfcArcIndex: corners by their numbers from 1. */
 static hawser_status index_add(const IfcFile *file, const StepEntity *curve, const StepValue *part, const Corners *c,
                                Alignment *to)
 {
@@ -566,8 +568,8 @@ static hawser_status index_add(const IfcFile *file, const StepEntity *curve, con
     return fine ? HAWSER_OK : error_memory(file->step.in->err);
 }
 
-/* IfcIndexedPolyCurve(Points, Segments): straights and arcs; level ones with arcs as elements in plan, others as
- * points. Without segments the points are corners. */
+/* Adds an IfcIndexedPolyCurve(Points, Segments): straights and arcs; level ones with arcs as elements in plan, others
+ * as points. Without segments the points are corners. */
 static hawser_status indexed_add(const IfcFile *file, const StepEntity *curve, Alignment *a)
 {
     Corners c = {.level = 1};
@@ -590,13 +592,12 @@ static hawser_status indexed_add(const IfcFile *file, const StepEntity *curve, A
     return fine || status ? status : error_memory(file->step.in->err);
 }
 
-/* Any curve that is known, with the curve that it stands over. */
+/* Adds any known curve, with its base curve. */
 static hawser_status curve_add(const IfcFile *file, long id, int depth, Alignment *a)
 {
     StepEntity e = {0};
     hawser_status status = step_entity(&file->step, id, &e);
-    if (!status && depth > DEPTH_MOST)
-        status = input_error(file->step.in, "#%ld: curves over curves without an end", id);
+    if (!status && depth > DEPTH_MOST) status = input_error(file->step.in, "#%ld: an endless chain of base curves", id);
     if (status) {
         step_entity_free(&e);
         return status;
@@ -620,8 +621,8 @@ static hawser_status curve_add(const IfcFile *file, long id, int depth, Alignmen
     return status;
 }
 
-/* IfcProductDefinitionShape -> IfcShapeRepresentation -> items. What stands for the line in space comes last and is
- * richest: plan curves alone are taken only where nothing has been found. */
+/* Reads IfcProductDefinitionShape -> IfcShapeRepresentation -> items. The line in space comes last and is the most
+ * complete: curves in plan are only used if nothing has been found before. */
 static hawser_status ifc_shape(const IfcFile *file, long id, Alignment *a)
 {
     StepEntity shape = {0}, drawn = {0};
@@ -637,13 +638,13 @@ static hawser_status ifc_shape(const IfcFile *file, long id, Alignment *a)
     return status;
 }
 
-/* Segments by what they mean: IfcAlignmentHorizontalSegment and IfcAlignmentVerticalSegment of 4.3, and the segments of
- * IfcAlignment2DHorizontal and IfcAlignment2DVertical of 4x1. */
+/* Segments by their design parameters: IfcAlignmentHorizontalSegment and IfcAlignmentVerticalSegment of 4.3, and the
+ * segments of IfcAlignment2DHorizontal and IfcAlignment2DVertical of 4x1. */
 
 static double curvature(double radius) { return radius == 0 || isnan(radius) ? 0 : 1 / radius; }
 
-/* A transition of another kind, a cubic parabola y = x^3/6RL, is taken as the clothoid between its ends' curvatures:
- * near L^4 |k1 - k0|^3/150 beside it at the end. */
+/* Notes a transition of another kind, a cubic parabola y = x^3/6RL, which is read as the clothoid between its ends'
+ * curvatures: off by about L^4 |k1 - k0|^3/150 at the end. */
 static void transition_note(const IfcFile *file, const StepValue *type, const PlanElement *e)
 {
     char what[SURVEY_NAME_MAX];
@@ -656,9 +657,9 @@ static void transition_note(const IfcFile *file, const StepValue *type, const Pl
     survey_ignore(file->step.in->out, what);
 }
 
-/* Of a Viennese bend that begins `station` m from the start: the height of the centre of gravity (attribute 7) times
- * the change of the cant's angle, IfcAlignmentCantSegment(.., .., StartDistAlong, .., StartCantLeft, EndCantLeft,
- * StartCantRight, EndCantRight) over IfcAlignmentCant's RailHeadDistance. */
+/* Finds the sway of a Viennese bend that begins `station` m from the start: the height of the centre of gravity
+ * (attribute 7) times the change of the cant's angle, IfcAlignmentCantSegment(.., .., StartDistAlong, ..,
+ * StartCantLeft, EndCantLeft, StartCantRight, EndCantRight) over IfcAlignmentCant's RailHeadDistance. */
 static hawser_status sway_of(const IfcFile *file, const StepEntity *e, double station, double *sway)
 {
     const double unit = file->step.in->unit, height = unit * step_number(e, 7);
@@ -680,7 +681,7 @@ static hawser_status sway_of(const IfcFile *file, const StepEntity *e, double st
     return status;
 }
 
-/* Segments of 4.3's business logic and of 4x1's curves: adds one to the alignment. e: the entity of the segment. */
+/* Adds a segment of 4.3's business logic or of 4x1's curves to the alignment. e: the entity of the segment. */
 static hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntity *e, Alignment *a)
 {
     const double unit = file->step.in->unit;
@@ -709,19 +710,21 @@ static hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntit
     return ifc_add_plan(file, a, whole);
 }
 
-/* Gradients at both ends and the length say what bends; a stated radius is only their rounding. */
+/* Adds a vertical segment. Gradients at both ends and the length determine the curve; a stated radius is only a rounded
+ * value of it. */
 static hawser_status ifc_vertical_segment(const IfcFile *file, const StepEntity *e, Alignment *a)
 {
     const double unit = file->step.in->unit, length = unit * step_number(e, 3), from = step_number(e, 5);
     const double end = step_number(e, 6), to = isnan(end) ? from : end;
     const StepValue *const type = step_attribute(e, 8);
     const int arc = step_is(type, "CIRCULARARC"), straight = step_is(type, "CONSTANTGRADIENT");
-    const double off = length * fabs(to - from) / 6; /* a clothoid begins or ends straight: its gradients do not say */
+    const double off =
+        length * fabs(to - from) / 6; /* a clothoid begins or ends straight: its gradients do not determine it */
     if (length > 0 && !arc && !straight && !step_is(type, "PARABOLICARC")) {
         if (!(off < 0.01))
             return input_error(file->step.in,
-                               "alignment '%.40s', #%ld: a vertical transition of %g m, whose gradients say its height "
-                               "to %.2g m only: expected CONSTANTGRADIENT, CIRCULARARC or PARABOLICARC",
+                               "alignment '%.40s', #%ld: a vertical transition of %g m, whose gradients determine its "
+                               "height to %.2g m only: expected CONSTANTGRADIENT, CIRCULARARC or PARABOLICARC",
                                a->name, e->id, length, off);
         survey_ignore(file->step.in->out, "vertical transitions: taken as parabolas, less than 10 mm off");
     }
@@ -739,7 +742,7 @@ static hawser_status ifc_vertical_segment(const IfcFile *file, const StepEntity 
 
 static int is_true(const StepValue *v) { return step_is(v, "T"); }
 
-/* IfcLineSegment2D, IfcCircularArcSegment2D(..., Radius, IsCCW), IfcTransitionCurveSegment2D(..., StartRadius,
+/* Reads IfcLineSegment2D, IfcCircularArcSegment2D(..., Radius, IsCCW), IfcTransitionCurveSegment2D(..., StartRadius,
  * EndRadius, IsStartRadiusCCW, IsEndRadiusCCW, type); all begin with StartPoint, StartDirection, SegmentLength. */
 static hawser_status old_horizontal(const IfcFile *file, long id, Alignment *a)
 {
@@ -770,8 +773,8 @@ static hawser_status old_horizontal(const IfcFile *file, long id, Alignment *a)
     return status;
 }
 
-/* (TangentialContinuity, StartTag, EndTag, StartDistAlong, HorizontalLength, StartHeight, StartGradient): a line; with
- * Radius, IsConvex an arc; with ParabolaConstant, IsConvex a parabola. Convex is a crest. */
+/* Reads (TangentialContinuity, StartTag, EndTag, StartDistAlong, HorizontalLength, StartHeight, StartGradient): a line;
+ * with Radius, IsConvex an arc; with ParabolaConstant, IsConvex a parabola. Convex is a crest. */
 static hawser_status old_vertical(const IfcFile *file, const StepEntity *e, Alignment *a)
 {
     const double unit = file->step.in->unit, side = is_true(step_attribute(e, 8)) ? -1 : 1;
@@ -786,7 +789,7 @@ static hawser_status old_vertical(const IfcFile *file, const StepEntity *e, Alig
                                             .bend = arc || parabola ? side * curvature(unit * step_number(e, 7)) : 0});
 }
 
-/* One segment of a list in attribute `i` of entity `id`, and so for all. */
+/* Reads the segments of a list in attribute `i` of entity `id` one by one. */
 static hawser_status old_list(const IfcFile *file, long id, int i, int horizontal, Alignment *a)
 {
     StepEntity list = {0}, segment = {0};
@@ -804,7 +807,7 @@ static hawser_status old_list(const IfcFile *file, long id, int i, int horizonta
     return status;
 }
 
-/* 4x1: from the axis of an alignment, an IfcAlignmentCurve. */
+/* Reads the axis of an alignment of 4x1, an IfcAlignmentCurve. */
 static hawser_status ifc_axis(const IfcFile *file, long id, Alignment *a)
 {
     StepEntity axis = {0};
@@ -834,15 +837,15 @@ static double prefix_factor(const StepValue *prefix)
     return 1;
 }
 
-/* A unit in SI: IfcSIUnit by its prefix; IfcConversionBasedUnit(Dimensions, UnitType, Name, ConversionFactor) by the
- * factor, an IfcMeasureWithUnit(value, unit), whose unit may be converted itself. */
+/* Computes a unit in SI: IfcSIUnit by its prefix; IfcConversionBasedUnit(Dimensions, UnitType, Name, ConversionFactor)
+ * by the factor, an IfcMeasureWithUnit(value, unit), whose unit may be converted itself. */
 static hawser_status factor_read(const IfcFile *file, const StepEntity *unit, int depth, double *factor)
 {
     StepEntity measure = {0}, base = {0};
     hawser_status status = HAWSER_OK;
     *factor = prefix_factor(step_attribute(unit, 2));
     if (strncmp(unit->name, "IFCCONVERSIONBASEDUNIT", 22)) return HAWSER_OK;
-    if (depth > UNITS_MOST) return input_error(file->step.in, "#%ld: units of units without an end", unit->id);
+    if (depth > UNITS_MOST) return input_error(file->step.in, "#%ld: an endless chain of units", unit->id);
     status = step_entity(&file->step, step_reference(unit, 3), &measure);
     if (!status) status = step_entity(&file->step, step_reference(&measure, 1), &base);
     if (!status) status = factor_read(file, &base, depth + 1, factor);
@@ -854,7 +857,7 @@ static hawser_status factor_read(const IfcFile *file, const StepEntity *unit, in
     return status;
 }
 
-/* One unit of the project's assignment: of length or of plane angle, others are of no use. */
+/* Reads one unit of the project's assignment: of length or of plane angle; others are not needed. */
 static hawser_status unit_read(IfcFile *file, long id)
 {
     StepEntity e = {0};
@@ -889,7 +892,7 @@ static hawser_status units_read(IfcFile *file)
     return status;
 }
 
-/* The system of coordinates by name; where the model lies in it is said and not applied. */
+/* Reads the name of the system of coordinates; the model's placement in it is reported and not applied. */
 static hawser_status system_read(IfcFile *file)
 {
     StepEntity e = {0};
@@ -925,7 +928,7 @@ static hawser_status nest_add(IfcFile *file, long whole, long part)
     return HAWSER_OK;
 }
 
-/* IfcRelNests and IfcRelAggregates(GlobalId, OwnerHistory, Name, Description, whole, parts). */
+/* Reads IfcRelNests and IfcRelAggregates(GlobalId, OwnerHistory, Name, Description, whole, parts). */
 static hawser_status nests_read(IfcFile *file, const char *name)
 {
     StepEntity e = {0};
@@ -941,7 +944,7 @@ static hawser_status nests_read(IfcFile *file, const char *name)
 
 /* ------------------------------------------------------------------------------------------------------ placement */
 
-/* Turned by `angle` about the origin, then moved. */
+/* Rotates an element by `angle` about the origin, then moves it. */
 static void element_place(PlanElement *e, Vec3 origin, double angle)
 {
     const double x = e->x, y = e->y;
@@ -950,7 +953,7 @@ static void element_place(PlanElement *e, Vec3 origin, double angle)
     e->heading += angle;
 }
 
-/* An alignment in plan alone lies level, at the height of its placement. Errors: MEMORY. */
+/* Places an alignment; one in plan alone lies level, at the height of its placement. Errors: MEMORY. */
 static hawser_status alignment_place(const IfcFile *file, Alignment *a, Vec3 origin, double angle)
 {
     const Vec3 at = v3_scale(file->step.in->unit, origin);
@@ -970,7 +973,7 @@ static hawser_status alignment_place(const IfcFile *file, Alignment *a, Vec3 ori
     return HAWSER_OK;
 }
 
-/* IfcLocalPlacement(PlacementRelTo, RelativePlacement), one within the other. */
+/* Applies IfcLocalPlacement(PlacementRelTo, RelativePlacement), one within the other. */
 static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
 {
     StepEntity e = {0};
@@ -978,7 +981,7 @@ static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
     for (int depth = 0; id && !status; ++depth) {
         Vec3 origin, x_axis;
         int tilted = 0;
-        if (depth > PLACEMENTS_MOST) status = input_error(file->step.in, "#%ld: placements without an end", id);
+        if (depth > PLACEMENTS_MOST) status = input_error(file->step.in, "#%ld: an endless chain of placements", id);
         if (!status) status = step_entity(&file->step, id, &e);
         if (status || strcmp(e.name, "IFCLOCALPLACEMENT")) break;
         status = ifc_axes(file, step_reference(&e, 1), &origin, &x_axis, &tilted);
@@ -992,7 +995,7 @@ static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
 
 /* ------------------------------------------------------------------------------------------------------ alignments */
 
-/* A segment, in an IfcAlignmentSegment (its design parameters) or alone. */
+/* Adds a segment, in an IfcAlignmentSegment (its design parameters) or alone. */
 static hawser_status segment_add(const IfcFile *file, long id, Alignment *a)
 {
     StepEntity e = {0};
@@ -1006,7 +1009,7 @@ static hawser_status segment_add(const IfcFile *file, long id, Alignment *a)
     return status;
 }
 
-/* Horizontal or vertical, with its segments; the first of each kind counts. */
+/* Adds a horizontal or vertical layout with its segments; the first of each kind counts. */
 static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
 {
     StepEntity e = {0};
@@ -1015,7 +1018,7 @@ static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
     const int plan = !status && !strcmp(e.name, "IFCALIGNMENTHORIZONTAL");
     const int profile = !status && !strcmp(e.name, "IFCALIGNMENTVERTICAL");
     const IfcNest *const part = ifc_parts(file, id, &n);
-    const int child = !status && !strcmp(e.name, "IFCALIGNMENT"); /* read as a line of its own */
+    const int child = !status && !strcmp(e.name, "IFCALIGNMENT"); /* read as a separate line */
     if (!status && !plan && !profile && !child && !strncmp(e.name, "IFCALIGNMENT", 12))
         survey_ignore(file->step.in->out, e.name);
     if (!status && !strcmp(e.name, "IFCREFERENT"))
@@ -1029,7 +1032,7 @@ static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
     return status;
 }
 
-/* The number of an entity's part of that name, the first one; 0: none. */
+/* Finds the first part of an entity with that name; *found is its number, 0: none. */
 static hawser_status part_find(const IfcFile *file, long id, const char *name, long *found)
 {
     StepEntity e = {0};
@@ -1045,8 +1048,8 @@ static hawser_status part_find(const IfcFile *file, long id, const char *name, l
     return status;
 }
 
-/* A child alignment, which has a vertical layout alone, stands over the plan of the alignment that it is part of. Where
- * it has no placement of its own, 0, that is its parent's. */
+/* Adds the parent's plan to a child alignment, which has only a vertical layout. Without a placement of its own, 0, it
+ * has its parent's. */
 static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a, long *placement)
 {
     hawser_status status = HAWSER_OK;
@@ -1063,7 +1066,7 @@ static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a,
     return status;
 }
 
-/* Whether a child stands over its parent's plan: it has a vertical layout and no line of its own. */
+/* Checks whether a child uses its parent's plan: it has a vertical layout and no line of its own. */
 static hawser_status is_over_parent(const IfcFile *file, const StepEntity *child, long id, int *yes)
 {
     long plan = 0, profile = 0;
@@ -1073,7 +1076,8 @@ static hawser_status is_over_parent(const IfcFile *file, const StepEntity *child
     return status;
 }
 
-/* Whether an alignment is but the plan of its children: it has no vertical layout, and one of them stands over it. */
+/* Checks whether an alignment is only the plan of its children: it has no vertical layout, and one of them uses its
+ * plan. */
 static hawser_status is_parent(const IfcFile *file, long id, int *yes)
 {
     int n = 0;
@@ -1091,7 +1095,8 @@ static hawser_status is_parent(const IfcFile *file, long id, int *yes)
     return status;
 }
 
-/* Stations of the profile count from where the file says; the alignment begins at its first element in plan. */
+/* Reads an alignment. Stations of the profile count from the file's start station; the alignment begins at its first
+ * element in plan. */
 static hawser_status alignment_read(IfcFile *file, long id)
 {
     StepEntity e = {0};

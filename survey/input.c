@@ -14,7 +14,7 @@
 
 #include "core/error.h"
 
-/* The character of a byte; -1: it stands for none, or for the first of several bytes. */
+/* The character of a byte; -1: it is none, or the first of several bytes. */
 static int character_of(iconv_t from, int byte)
 {
     char in = (char)byte, *next = &in;
@@ -41,8 +41,8 @@ int encoding_find(void *data, const XML_Char *name, XML_Encoding *info)
     info->convert = NULL;
     info->release = NULL;
     for (int i = 0; i < 128; ++i)
-        if (info->map[i] != i) return XML_STATUS_ERROR;    /* not of ASCII's kind */
-    return known > 192 ? XML_STATUS_OK : XML_STATUS_ERROR; /* of several bytes a character */
+        if (info->map[i] != i) return XML_STATUS_ERROR;    /* not an extension of ASCII */
+    return known > 192 ? XML_STATUS_OK : XML_STATUS_ERROR; /* several bytes per character */
 }
 
 int encoding_is_utf8(const char *text)
@@ -81,7 +81,7 @@ hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions 
     if (!isnan(options->unit)) input_unit(in, options->unit, "");
     in->numbers = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!in->numbers) return error_memory(err);
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a FIFO must not hold us up */
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* opening a FIFO must not block */
     struct stat state;
     if (fd < 0 || fstat(fd, &state)) {
         const char *const why = strerror(errno);
@@ -143,7 +143,7 @@ hawser_status input_all(SurveyInput *in, size_t most, char **text, size_t *size)
     return error_memory(in->err);
 }
 
-/* Unlike rewind, which forgets that something could not be read. */
+/* Moves to a byte. Unlike rewind, it keeps the error of an earlier read. */
 void input_seek(SurveyInput *in, long byte)
 {
     if (fseek(in->file, byte, SEEK_SET)) in->lost = errno;
@@ -168,7 +168,8 @@ hawser_status input_error(const SurveyInput *in, const char *format, ...)
 
 int input_number(const SurveyInput *in, const char *text, char **end, double *value)
 {
-    char digits[64]; /* a copy: D is no exponent to strtod, and hexadecimal numbers, inf and nan are none to us */
+    char
+        digits[64]; /* a copy: strtod does not accept D as exponent, and hexadecimal numbers, inf and nan are refused */
     size_t n = 0;
     while (*text == ' ' || *text == '\t') ++text;
     while (n + 1 < sizeof digits && text[n] && strchr("+-.0123456789eEdD", text[n])) {
@@ -217,7 +218,7 @@ void input_unit(SurveyInput *in, double metres, const char *name)
              *name ? asked ? ", where the file says " : ", " : "", name, "");
 }
 
-/* Twice as much room, or room for a first line. */
+/* Doubles the space of a line, or allocates it. */
 static int line_widen(SurveyInput *in, InputLine *line)
 {
     if (line->room >= INPUT_LINE_MOST) {

@@ -1,4 +1,4 @@
-/* Encodings of files: those of XML that the parser does not have itself, and names in a code page. */
+/* Encodings of files: those of XML that the parser does not support, and names in a code page. */
 #ifndef HAWSER_SURVEY_INPUT_H
 #define HAWSER_SURVEY_INPUT_H
 
@@ -10,65 +10,66 @@
 
 #include "survey/alignment.h"
 
-/* Encodings of a byte a character, windows-1250 to 1258, ISO-8859-2 to 16, KOI8 and their like, for
- * XML_SetUnknownEncodingHandler; its data is of no use. */
+/* Finds single-byte encodings, windows-1250 to 1258, ISO-8859-2 to 16, KOI8 and similar, for
+ * XML_SetUnknownEncodingHandler; its data is unused. */
 int encoding_find(void *data, const XML_Char *name, XML_Encoding *info);
-/* Whether a text is UTF-8, as drawings since 2007 are. */
+/* Checks whether a text is UTF-8, as in drawings since 2007. */
 int encoding_is_utf8(const char *text);
-/* Bytes of a code page as UTF-8 into to[size]. 0: the page is not known ((iconv_t)-1), or these are none of its
- * characters. */
+/* Converts bytes of a code page to UTF-8 in to[size]. Returns 0 if the page is unknown ((iconv_t)-1), or the bytes are
+ * not its characters. */
 int encoding_convert(iconv_t page, char *to, size_t size, const char *text);
-/* A file that is being read: what every reader needs. Files are untrusted: readers bound what they keep by what the
- * file holds, and say line and what is wrong. */
+/* A file being read, as every reader needs it. Files are untrusted: readers bound their memory by the file's size, and
+ * report line and fault. */
 
-/* How a file is to be read, by whoever asks for it. */
+/* Options of the caller for reading a file. */
 typedef struct SurveyOptions {
-    double unit;        /* metres in the file's unit of length; NAN: as the file says */
-    int marks;          /* equipment is wanted: a table's rows are marks, not a route */
+    double unit;        /* metres in the file's unit of length; NAN: as the file states */
+    int marks;          /* equipment is read: a table's rows are marks, not a route */
     const char *sheet;  /* of a spreadsheet, by its name or number from 1; NULL: the first */
-    const char *ignore; /* names of a table's columns that are not used, each on a line of its own; NULL: none */
+    const char *ignore; /* names of a table's columns that are ignored, one per line; NULL: none */
 } SurveyOptions;
 
 typedef struct SurveyInput {
     const char *path;
     FILE *file;
-    char *held; /* what file reads, where it is a text that was unpacked or decoded; NULL: the file itself */
-    int lost;   /* errno of a place in the file that could not be gone to */
-    long line;  /* the one being read, from 1; 0: lines say nothing */
+    char *held; /* memory that `file` reads, if it is a text that was unpacked or decoded; NULL: the file itself */
+    int lost;   /* errno of a failed seek in the file */
+    long line;  /* the line being read, from 1; 0: lines have no meaning */
     SurveyOptions options;
     double unit; /* metres in the file's unit */
     Survey *out;
-    locale_t numbers; /* a point is a point */
+    locale_t numbers; /* with a decimal point */
     hawser_error *err;
 } SurveyInput;
 
-/* Opens a regular file of at most 4 GiB. Errors: INPUT (no regular file), MEMORY. Close it in any case. */
+/* Opens a regular file of at most 4 GiB. It must be closed in any case. Errors: INPUT (no regular file), MEMORY. */
 hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions *options, Survey *out,
                          hawser_error *err);
 void input_close(SurveyInput *in);
-/* Reads `size` > 0 bytes in place of the file from here on, which the input takes over and frees. Errors: MEMORY. */
+/* Reads `size` > 0 bytes in place of the file from now on; the input takes them over and frees them. Errors: MEMORY. */
 hawser_status input_hold(SurveyInput *in, char *text, size_t size);
-/* All that the file holds, at most `most` bytes, malloc'ed, with a 0 behind it. Errors: INPUT (more), MEMORY. */
+/* Reads the whole file, at most `most` bytes, with a terminating 0; the caller frees it. Errors: INPUT (more), MEMORY.
+ */
 hawser_status input_all(SurveyInput *in, size_t most, char **text, size_t *size);
-/* Goes on at that byte. */
+/* Continues at that byte. */
 void input_seek(SurveyInput *in, long byte);
-/* 0, or errno of what the system did not give: to who reads it looks like the file's end. */
+/* 0, or errno of a failed read, which otherwise looks like the file's end. */
 int input_lost(const SurveyInput *in);
-/* INPUT, "path:line: ..." */
+/* sets and returns INPUT with "path:line: ..." */
 hawser_status input_error(const SurveyInput *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* A number at the beginning of a text, finite, decimal; *end behind it. 0: there is none. Fortran's D for E and a
- * leading + are taken. */
+/* Reads a number at the beginning of a text, finite, decimal; *end follows it. Returns 0 if there is none. Fortran's D
+ * for E and a leading + are accepted. */
 int input_number(const SurveyInput *in, const char *text, char **end, double *value);
-/* All of a text as one number, blanks around it. */
+/* Reads a whole text as one number, with blanks around it. */
 int input_number_whole(const SurveyInput *in, const char *text, double *value);
-/* A character as UTF-8, up to 4 bytes; how many. to has room. */
+/* Writes a character as UTF-8 and returns its number of bytes, at most 4. `to` must have space. */
 size_t input_utf8(char *to, unsigned c);
-/* The character of so many hexadecimal digits; 0: they are none, or it is none. */
+/* The character with that many hexadecimal digits; 0: invalid. */
 unsigned input_hex(const char *text, int digits);
-/* Sets the unit of length and says which: the options' if they give one. name: as the file has it. */
+/* Sets the unit of length and reports it: the options' if they give one. name: as in the file. */
 void input_unit(SurveyInput *in, double metres, const char *name);
-/* Line by line; without its end, cut at the limit. NULL: the end of the file. *room grows with the longest line, at
- * most to INPUT_LINE_MOST; longer ones are an error. */
+/* A line without its end. NULL: the end of the file. *room grows with the longest line, at most to INPUT_LINE_MOST;
+ * longer ones are an error. */
 enum { INPUT_LINE_MOST = 1 << 20 };
 
 typedef struct InputLine {
@@ -76,28 +77,27 @@ typedef struct InputLine {
     size_t room, length;
 } InputLine;
 
-/* 1: a line; 0: no more; -1: too long or no memory, with the reason in in->err. in->line counts. */
+/* Reads a line: 1: a line; 0: no more; -1: too long or no memory, with the reason in in->err. Updates in->line. */
 int input_line(SurveyInput *in, InputLine *line);
-/* The readers, each in a folder of its own: fill in->out from in->file. Errors: INPUT with line or entity and reason,
- * MEMORY. */
-/* LandXML 1.0 to 2.0, streaming: alignments with their profiles, and plan features; northing before easting. */
+/* The readers fill in->out from in->file. Errors: INPUT with line or entity and reason, MEMORY. */
+/* Reads LandXML 1.0 to 2.0, streaming: alignments with their profiles, and plan features; northing before easting. */
 hawser_status landxml_read(SurveyInput *in);
-/* IFC 4.3 and the drafts 4x1 to 4x4: every IfcAlignment by its segments, or where it has none by the curves that it is
- * drawn with; units and placements are heeded, cant is counted as ignored. */
+/* Reads IFC 4.3 and the drafts 4x1 to 4x4: every IfcAlignment by its segments, or without them by its curves; applies
+ * units and placements, counts cant as ignored. */
 hawser_status ifc_read(SurveyInput *in);
-/* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
- * of its own, on its layer; INSERT and POINT as marks. */
+/* Reads DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each a
+ * separate alignment, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
-/* GPX tracks, routes and waypoints, or KML; lines and points of GeoJSON, also one value a line: longitude, latitude and
- * height, projected about the first place of the file. */
+/* Reads GPX tracks, routes and waypoints, or KML; lines and points of GeoJSON, also one value per line: longitude,
+ * latitude and height, projected about the first place of the file. */
 hawser_status tracks_read(SurveyInput *in);
 hawser_status geojson_read(SurveyInput *in);
-/* Shapefiles: lines and points, with the .dbf and .prj beside them; degrees as in other maps. */
+/* Reads shapefiles: lines and points, with the .dbf and .prj beside them; degrees as in other maps. */
 hawser_status shape_read(SurveyInput *in);
-/* CSV and TSV with names over the columns: survey/table.h. */
+/* Reads CSV and TSV with names above the columns: survey/table.h. */
 hawser_status table_read(SurveyInput *in);
-/* One sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. Or the first
- * KML of a KMZ. */
+/* Reads one sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. Or the
+ * first KML of a KMZ. */
 hawser_status sheet_read(SurveyInput *in);
 
 #endif

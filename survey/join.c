@@ -10,18 +10,18 @@
 
 enum { SAMPLES = 16, LOOKED_AT = 64 };
 
-/* How far from an end a gap is looked for, m: 100 tolerances, but where these are wide no more than a metre or two of
- * them. */
+/* Distance from an end within which gaps are searched, m: 100 tolerances, but for large tolerances no more than a metre
+ * or two of them. */
 static double gap_reach(double tolerance) { return fmin(100 * tolerance, fmax(1, 2 * tolerance)); }
 
 JoinOptions join_options(void) { return (JoinOptions){.tolerance = 0.01, .layer = NULL, .name = NULL}; }
 
 /* ------------------------------------------------------------------------------------------------- a grid of points */
 
-/* Points by the cell of the plan that they lie in. */
+/* Hash grid of points by their cell in plan. */
 typedef struct Grid {
     double cell;
-    unsigned mask; /* slots - 1, a power of two less one */
+    unsigned mask; /* number of slots - 1; the number is a power of two */
     int *first;    /* [slots] a point of this hash, -1: none */
     int *next;     /* [n] */
     const Vec3 *at;
@@ -59,7 +59,7 @@ static void grid_free(Grid *g)
     free(g->next);
 }
 
-/* Calls for every point in the cells at and about a point, at most LOOKED_AT of a cell, until it says 1. */
+/* Calls `each` for every point in the cells at and around a point, at most LOOKED_AT per cell, until it returns 1. */
 static void grid_near(const Grid *g, Vec3 p, int (*each)(void *data, int i), void *data)
 {
     for (int k = 0; k < 9; ++k) {
@@ -75,24 +75,24 @@ static void grid_near(const Grid *g, Vec3 p, int (*each)(void *data, int i), voi
 
 /* ------------------------------------------------------------------------------------------------------------- ends */
 
-/* Pieces that go straight up at one knot: their heights, m. */
+/* Vertical pieces at one knot: their heights, m. */
 typedef struct Shaft {
     double low, high;
     int n;
 } Shaft;
 
-/* Pieces that are to be joined, with their two ends. */
+/* Pieces to be joined, with their two ends. */
 typedef struct Net {
     int n;
     const Alignment **piece; /* [n] */
     double *length;          /* [n] m in plan; -1: left out */
     Vec3 *end;               /* [2 n] end 2 i is piece i's start, 2 i + 1 its end */
-    int *knot;               /* [2 n] the first end that lies there; -1: not looked at yet */
+    int *knot;               /* [2 n] the first end at the same place; -1: not computed yet */
     int *first;              /* [2 n] of a knot: its first end, then `other` */
     int *other;              /* [2 n] the next end at the same knot, -1: no more */
-    int *ends;               /* [2 n] of a knot: how many */
+    int *ends;               /* [2 n] of a knot: number of ends */
     char *used;              /* [n] */
-    char *apart;             /* [2 n] ends of blocks' lines that are not joined with what meets at their knot */
+    char *apart;             /* [2 n] ends of blocks' lines that are not joined with the lines at their knot */
     int *order;              /* [n] */
     Shaft *shaft;            /* [2 n] of a knot */
 } Net;
@@ -157,12 +157,12 @@ static void net_fill(const Survey *s, const JoinOptions *o, Net *net)
 typedef struct Search {
     const Net *net;
     int from, found;
-    int gaps;             /* looked for: the two ends of one straight piece are none */
+    int gaps;             /* search for gaps: the two ends of one straight piece are none */
     double within, least; /* m in plan */
-    double rank;          /* m, of the one that was found: of ends that are as near the one at its height counts */
+    double rank;          /* m, of the one found: of ends at the same distance the one at its height counts */
 } Search;
 
-/* An end that may be the same place: near in plan, and in height if both have heights. */
+/* Takes in an end that may be the same place: near in plan, and in height if both have heights. */
 static int end_near(void *data, int i)
 {
     Search *const s = data;
@@ -178,7 +178,7 @@ static int end_near(void *data, int i)
     return 0;
 }
 
-/* Ends that lie within the tolerance of an earlier one lie at its knot. */
+/* Finds knots: ends within the tolerance of an earlier one belong to its knot. */
 static int knots_find(const JoinOptions *o, Net *net)
 {
     Grid g;
@@ -189,13 +189,13 @@ static int knots_find(const JoinOptions *o, Net *net)
         net->shaft[i] = (Shaft){INFINITY, -INFINITY, 0};
         grid_near(&g, net->end[i], end_near, &s);
         net->knot[i] = s.found < 0 ? i : net->knot[s.found];
-        if (s.found < 0) grid_put(&g, i); /* the first there stands for all */
+        if (s.found < 0) grid_put(&g, i); /* the first end represents all */
     }
     grid_free(&g);
     return fine;
 }
 
-/* Whether two pieces between the same knots are one drawn twice: the same length, and the same middle. */
+/* Checks whether two pieces between the same knots are one drawn twice: equal length and middle. */
 static int is_double(const Net *net, int i, int k, double tolerance)
 {
     const int same = net->knot[2 * i] == net->knot[2 * k] && net->knot[2 * i + 1] == net->knot[2 * k + 1];
@@ -211,7 +211,7 @@ static int goes_up(const Net *net, int i, double tolerance)
     return net->length[i] <= 2 * tolerance && fabs(net->end[2 * i].z - net->end[2 * i + 1].z) > tolerance;
 }
 
-/* Where two lines meet that are drawn themselves, those of a block, a symbol, end beside them. */
+/* Attaches a piece to its knots. Where two directly drawn lines meet, lines of a block (a symbol) end beside them. */
 static void piece_hang(Net *net, int i)
 {
     for (int e = 2 * i; e <= 2 * i + 1; ++e) {
@@ -228,8 +228,8 @@ static void piece_hang(Net *net, int i)
     net->used[i] = 0;
 }
 
-/* What goes straight up or down is a shaft of the line if one piece ends at its foot and one at its head; at one knot,
- * of pieces without heights too, it may join these. Others stand beside the line. */
+/* Attaches a vertical piece. It is a shaft of the line if one piece ends at its foot and one at its head; at one knot,
+ * also of pieces without heights, it may join them. Others stand beside the line. */
 static void shaft_hang(Net *net, int i, Joined *joined)
 {
     const int a = net->knot[2 * i], b = net->knot[2 * i + 1];
@@ -246,10 +246,10 @@ static void shaft_hang(Net *net, int i, Joined *joined)
     at->n++;
 }
 
-/* Hangs the ends to their knots; pieces drawn twice, and those that are shorter than the tolerance, are left out. */
+/* Attaches the ends to their knots; pieces drawn twice, and those shorter than the tolerance, are left out. */
 static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
 {
-    for (int k = 0; k < 2 * net->n; ++k) { /* what is drawn itself first, then what blocks bring */
+    for (int k = 0; k < 2 * net->n; ++k) { /* directly drawn lines first, then those of blocks */
         const int i = k % net->n;
         if ((net->piece[i]->inserted > 0) != (k >= net->n)) continue;
         const int a = net->knot[2 * i], b = net->knot[2 * i + 1], up = goes_up(net, i, o->tolerance);
@@ -266,8 +266,8 @@ static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
         if (goes_up(net, i, o->tolerance)) shaft_hang(net, i, joined);
 }
 
-/* ------------------------------------------------------------------------------------------------------------- doubts
- */
+/* -------------------------------------------------------------------------------------------------------------
+ * doubtful ends */
 
 static void doubt_add(Joined *j, JoinDoubt d)
 {
@@ -276,7 +276,7 @@ static void doubt_add(Joined *j, JoinDoubt d)
     if (j->n_doubts < MOST) j->doubt[j->n_doubts++] = d;
 }
 
-/* m, between the heights of two ends; 0: one has none. */
+/* Difference of the heights of two ends, m; 0: one has none. */
 static double rise_between(const Net *net, int i, int k)
 {
     const int level = is_flat(net->piece[i / 2]) || is_flat(net->piece[k / 2]);
@@ -303,11 +303,11 @@ static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
 
 /* ---------------------------------------------------------------------------------------------------------- lines */
 
-/* Whether exactly one other piece goes on where an end lies. */
+/* Checks whether exactly one other piece continues at an end. */
 static int goes_on(const Net *net, int end) { return net->ends[net->knot[end]] == 2 && !net->apart[end]; }
 
-/* A walk from an end of a piece over knots of two, as far as they go: its pieces in order, those that are turned around
- * as -1 - i. */
+/* Walks from an end of a piece over knots of two ends, as far as possible: stores its pieces in order, reversed ones as
+ * -1 - i. */
 static int walk(Net *net, int from)
 {
     int n = 0;
@@ -323,8 +323,8 @@ static int walk(Net *net, int from)
     return n;
 }
 
-/* Lets the n pieces of net->order run as most of their length is drawn; if that is half of it, as the piece that is
- * first in the file. Returns the m that are drawn against it. */
+/* Directs the n pieces of net->order as most of their length is drawn; if that is half, as the first piece in the file.
+ * Returns the length drawn in the opposite direction, m. */
 static double order_turn(Net *net, int n)
 {
     double along = 0, against = 0;
@@ -353,17 +353,17 @@ static int point_add(Alignment *a, Vec3 p)
     return to != NULL;
 }
 
-/* What pieces that become one line have in common. */
+/* Common properties of pieces that become one line. */
 typedef struct Common {
     int heights, elements; /* some have them */
-    int partly;            /* the file has them of some, which are not kept */
-    int drawn;             /* all are straights, or curves that the file has */
+    int partly;            /* the file has heights of some, which are not kept */
+    int drawn;             /* all are straights, or curves of the file */
     int bent;              /* some are curves of the file */
-    int level;             /* all have heights, and these are z */
+    int level;             /* all have heights, equal to z */
     double z;
 } Common;
 
-/* Whether all of a piece is at the height of its start. */
+/* Checks whether a whole piece is at the height of its start. */
 static int is_level(const Alignment *a)
 {
     int level = 1;
@@ -391,7 +391,7 @@ static Common common_of(const Net *net, int n)
     return c;
 }
 
-/* How many chords stand for an element: they are 0.2 mm beside it at most, so that those beside them stay straights. */
+/* Number of chords for an element: they are at most 0.2 mm off, so that adjacent ones stay straights. */
 static int chords_of(const Alignment *a, const PlanElement *e)
 {
     enum { CHORDS_MOST = 10000 };
@@ -400,7 +400,7 @@ static int chords_of(const Alignment *a, const PlanElement *e)
     return a->n_profile > 1 && parts < SAMPLES ? SAMPLES : parts;
 }
 
-/* A piece as points: its own, or places along its elements. */
+/* Adds a piece as points: its own, or places along its elements. */
 static int points_take(const Alignment *from, Alignment *to)
 {
     int fine = 1;
@@ -417,14 +417,14 @@ static int points_take(const Alignment *from, Alignment *to)
     return fine;
 }
 
-/* A piece as elements in plan. */
+/* Adds a piece as elements in plan. */
 static int elements_take(const Alignment *from, Alignment *to)
 {
     for (int i = 0; i < from->n_plan; ++i) {
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
         *e = from->plan[i];
-        e->name = 0; /* of another line */
+        e->name = 0; /* belongs to another line */
     }
     for (int i = 0; i + 1 < from->n_points; ++i) {
         const Vec3 *const p = &from->point[i];
@@ -437,7 +437,7 @@ static int elements_take(const Alignment *from, Alignment *to)
     return 1;
 }
 
-/* A line of elements lies level. 0: no memory. */
+/* Adds a level profile to a line of elements. Returns 0 without memory. */
 static int level_add(Alignment *a, double z)
 {
     const double length = alignment_measure(a).plan_length;
@@ -446,8 +446,8 @@ static int level_add(Alignment *a, double z)
     return e != NULL;
 }
 
-/* Whether the height of a line jumps where the next of its pieces begins, at z. A shaft that is drawn there is the
- * line's. */
+/* Checks whether the height of a line jumps at z, where its next piece begins. A shaft drawn there becomes part of the
+ * line. */
 static int jumps(Net *net, int piece, double z, const Alignment *line, double tolerance, Joined *joined)
 {
     Shaft *const shaft = &net->shaft[net->knot[piece < 0 ? 2 * (-1 - piece) + 1 : 2 * piece]];
@@ -459,9 +459,9 @@ static int jumps(Net *net, int piece, double z, const Alignment *line, double to
     return 0;
 }
 
-/* n pieces of net->order as one line: of elements if none has heights, or there are curves and all are at one height;
- * of points if there is nothing but points, or heights differ. Heights that jump where two pieces meet are a shaft that
- * is drawn there, or those of pieces without: then the line has none. */
+/* Makes n pieces of net->order one line: of elements if none has heights, or there are curves and all are at one
+ * height; of points if there are only points, or heights differ. Heights that jump between pieces are a shaft drawn
+ * there, or come from pieces without heights: then the line has none. */
 static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *to)
 {
     const Common all = common_of(net, n);
@@ -483,7 +483,7 @@ static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *
             line->bent = all.bent;
             line->partly = all.partly;
         }
-        if (n == 1) { /* as it is */
+        if (n == 1) { /* unchanged */
             *line = piece;
             return 1;
         }
@@ -501,7 +501,7 @@ static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *
     return fine;
 }
 
-/* A line by its length in plan. */
+/* A line with its length in plan. */
 typedef struct Long {
     double length;
     int line;
@@ -513,8 +513,8 @@ static int by_length(const void *a, const void *b)
     return x->length != y->length ? (x->length < y->length) - (x->length > y->length) : x->line - y->line;
 }
 
-/* The lines from `from` on, the longest first: each cycle of places is gone around once, so that no second copy of a
- * million lines is needed. 0: no memory. */
+/* Sorts the lines from `from` on, the longest first: each cycle of places is followed once, so that no second copy of a
+ * million lines is needed. Returns 0 without memory. */
 static int lines_sort(Survey *s, int from)
 {
     const int n = s->n - from;
@@ -552,7 +552,7 @@ hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey 
     if (fine && net.n > 0) fine = knots_find(options, &net);
     if (fine && net.n > 0) ends_hang(options, &net, joined);
     if (fine && net.n > 0) fine = doubts_find(options, &net, joined);
-    for (int pass = 0; pass < 2 && fine; ++pass) { /* from ends and forks first; what is left goes round */
+    for (int pass = 0; pass < 2 && fine; ++pass) { /* from ends and forks first; the rest are closed lines */
         for (int e = 0; e < 2 * net.n && fine; ++e) {
             if (net.used[e / 2] || (pass == 0 && goes_on(&net, e))) continue;
             const int pieces = walk(&net, e), at = to->n;
@@ -574,7 +574,7 @@ hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey 
 /* ---------------------------------------------------------------------------------------------------------- choosing
  */
 
-/* Of a point from a straight between two others. */
+/* Distance of a point from a straight between two others. */
 static double straight_away(Vec3 a, Vec3 b, double x, double y)
 {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;

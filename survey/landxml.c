@@ -1,4 +1,4 @@
-/* Angles of a LandXML file: the unit that it says, and which way around a curve's `delta` means. */
+/* Angles of a LandXML file: its unit, and the direction of a curve's `delta`. */
 #include <expat.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 
 typedef enum LandAngle { ANGLE_UNSAID, ANGLE_RADIANS, ANGLE_DEGREES, ANGLE_GRADS, ANGLE_SEXAGESIMAL } LandAngle;
 
-/* Points of a LandXML file: those with names, to which lines refer, and the four of an element. */
+/* Points of a LandXML file: named ones that lines refer to, and the four of an element. */
 
 typedef struct PointOf {
     Vec3 at; /* m */
@@ -22,7 +22,7 @@ typedef struct PointOf {
 /* Start, End, Center and PI of a line, curve or spiral. */
 enum { POINT_START, POINT_END, POINT_CENTER, POINT_PI, GEOMETRY_POINTS };
 
-/* A name with its place. */
+/* A point with its name. */
 typedef struct LandPoint LandPoint;
 
 typedef struct LandPoints {
@@ -33,7 +33,7 @@ typedef struct LandPoints {
 
 static const double PI = 3.14159265358979323846;
 
-/* By the word in angularUnit; NULL, or another word: not said. */
+/* Returns the unit for the word in angularUnit; NULL, or another word: not stated. */
 static LandAngle land_angle_of(const char *name)
 {
     static const struct {
@@ -49,7 +49,7 @@ static LandAngle land_angle_of(const char *name)
     return ANGLE_UNSAID;
 }
 
-/* rad; of degrees, minutes and seconds as 12.3045 is 12 deg 30' 45". */
+/* Converts an angle to rad; degrees, minutes and seconds are written as 12.3045 for 12 deg 30' 45". */
 static double radians(double angle, LandAngle unit)
 {
     const double whole = floor(angle + 1e-9), minutes = floor(100 * (angle - whole) + 1e-7);
@@ -65,9 +65,9 @@ static double radians(double angle, LandAngle unit)
     }
 }
 
-/* Whether an arc over a chord of that many diameters goes on beyond half a turn, by its angle delta, in the file's
- * unit, or, since files say none or get it wrong, in any that goes with the chord. -1: none does within a 200th of the
- * diameter. */
+/* Checks whether an arc over a chord, given in diameters, exceeds half a turn, by its angle delta in the file's unit
+ * or, since files omit the unit or state a wrong one, in any that fits the chord. Returns -1 if none fits within a
+ * 200th of the diameter. */
 static int land_long_way(double delta, LandAngle unit, double chord)
 {
     const double near = 0.005; /* diameters */
@@ -84,7 +84,7 @@ struct LandPoint {
     PointOf at;
 };
 
-/* Which of them an element's name means; -1: none. */
+/* Kind of point for an element's name; -1: none. */
 static int land_point_kind(const char *name)
 {
     static const char *const names[GEOMETRY_POINTS] = {"Start", "End", "Center", "PI"};
@@ -94,7 +94,7 @@ static int land_point_kind(const char *name)
     return -1;
 }
 
-/* FNV-1a. */
+/* Computes FNV-1a. */
 static unsigned hash(const char *name)
 {
     unsigned h = 2166136261u;
@@ -102,7 +102,7 @@ static unsigned hash(const char *name)
     return h;
 }
 
-/* The slot of a name, or the empty one where it would be; slots are a power of two, a quarter at least of them empty.
+/* The slot of a name, or the empty one for it; the number of slots is a power of two, at least a quarter of them empty.
  */
 static int *slot_of(const LandPoints *points, const char *name)
 {
@@ -113,7 +113,7 @@ static int *slot_of(const LandPoints *points, const char *name)
     return &points->slot[i];
 }
 
-/* Twice the room for points and slots; 0: no memory. */
+/* Doubles the space of points and slots; returns 0 without memory. */
 static int widen(LandPoints *points)
 {
     const int slots = points->slots ? 2 * points->slots : 64;
@@ -131,7 +131,7 @@ static int widen(LandPoints *points)
     return 1;
 }
 
-/* A name that is there already gets the new place. 0: no memory. */
+/* Adds a point; an existing name gets the new place. Returns 0 without memory. */
 static int land_points_add(LandPoints *points, const char *name, PointOf at)
 {
     LandPoint named = {.at = at};
@@ -143,7 +143,7 @@ static int land_points_add(LandPoints *points, const char *name, PointOf at)
     return 1;
 }
 
-/* NULL: none of that name. */
+/* Finds a point; NULL: no such name. */
 static const PointOf *land_points_find(const LandPoints *points, const char *name)
 {
     const int slot = points->n ? *slot_of(points, name) : 0;
@@ -159,13 +159,13 @@ static void land_points_free(LandPoints *points)
 
 enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 << 20, CHUNK = 1 << 16 };
 
-/* A line, curve or spiral on its way. */
+/* A line, curve or spiral being read. */
 typedef struct Geometry {
     PointOf have[GEOMETRY_POINTS];     /* Start, End, Center, PI */
     double length, radius, radius_end; /* m; NAN: not given, infinite: straight */
-    char delta[WORD_MOST];             /* as the file has it; "": not given */
+    char delta[WORD_MOST];             /* as in the file; "": not given */
     int right;                         /* turns clockwise */
-    int turns;                         /* it says which way it turns */
+    int turns;                         /* the direction of its turn is given */
     char kind[WORD_MOST];              /* of a spiral */
 } Geometry;
 
@@ -173,24 +173,24 @@ typedef struct Reader {
     SurveyInput *in;
     XML_Parser parser;
     hawser_status status;
-    int depth, skipped; /* depth of elements; of the one below which nothing is read, 0: none */
-    int geometry_at;    /* depth of a CoordGeom that is read, 0: none */
+    int depth, skipped; /* depth of elements; depth of the element below which nothing is read, 0: none */
+    int geometry_at;    /* depth of the CoordGeom being read, 0: none */
     int current;        /* alignment, -1: none */
     Geometry geometry;
     LandAngle angle; /* the file's unit of angles */
     LandPoints points;
     char point_name[WORD_MOST];
-    char reference[WORD_MOST]; /* pntRef of the element that is open */
-    char *text;                /* of the element that is open */
+    char reference[WORD_MOST]; /* pntRef of the open element */
+    char *text;                /* of the open element */
     size_t text_length, text_room;
     ProfileCorner *corner;
-    int n_corners, profiles; /* profiles: design profiles seen of this alignment */
+    int n_corners, profiles; /* profiles: number of design profiles of this alignment so far */
     double curve_length, curve_after, curve_radius;
 } Reader;
 
 /* --------------------------------------------------------------------------------------------------------- errors */
 
-/* The first error stops the parser. */
+/* Stores the first error and stops the parser. */
 static void fail(Reader *r, hawser_status status)
 {
     if (!r->status) r->status = status;
@@ -204,7 +204,7 @@ static void fail_memory(Reader *r) { fail(r, error_memory(r->in->err)); }
 
 /* ----------------------------------------------------------------------------------------------------- attributes */
 
-/* An attribute's text; NULL: it is not there. */
+/* Text of an attribute; NULL: it is missing. */
 static const char *attribute(const char **attributes, const char *name)
 {
     for (int i = 0; attributes[i]; i += 2) {
@@ -213,7 +213,7 @@ static const char *attribute(const char **attributes, const char *name)
     return NULL;
 }
 
-/* A number times `unit`; NAN: not there, "INF" is infinite. */
+/* A number times `unit`; NAN: missing, "INF" is infinite. */
 static double number(Reader *r, const char **attributes, const char *name, double unit)
 {
     const char *const text = attribute(attributes, name);
@@ -229,7 +229,7 @@ static void word(char out[WORD_MOST], const char *text) { snprintf(out, WORD_MOS
 
 /* ------------------------------------------------------------------------------------------------------ geometry */
 
-/* Adds an element; one without a length is left out. */
+/* Adds an element; one without length is left out. */
 static void element_add(Reader *r, Vec3 start, double heading, double length, double k0, double k1)
 {
     if (!(length > 1e-9)) return;
@@ -246,7 +246,7 @@ static void line_add(Reader *r, Vec3 from, Vec3 to)
     element_add(r, from, atan2(to.y - from.y, to.x - from.x), hypot(to.x - from.x, to.y - from.y), 0, 0);
 }
 
-/* Whether a curve without a centre goes on beyond half a turn: by its length, or else its angle. */
+/* Checks whether a curve without a centre exceeds half a turn: by its length, or else its angle. */
 static int is_long_way(Reader *r, const Geometry *g, double chord)
 {
     const double turn = 2 * asin(fmin(1, 0.5 * chord / g->radius));
@@ -266,7 +266,7 @@ static int is_long_way(Reader *r, const Geometry *g, double chord)
     return long_way;
 }
 
-/* Where a curve's centre is if the file does not say: by the chord, the radius and the side. */
+/* Computes a curve's centre if the file does not give it: from the chord, the radius and the side. */
 static Vec3 centre_guess(Reader *r, const Geometry *g, Vec3 start, Vec3 end)
 {
     const double chord = hypot(end.x - start.x, end.y - start.y), half = 0.5 * chord;
@@ -285,8 +285,8 @@ static void curve_add(Reader *r)
         FAIL(r, "a Curve has neither Center nor radius");
         return;
     }
-    if (!g->turns && !(has_centre && g->length > 0)) { /* about a centre its length would say */
-        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Curve");
+    if (!g->turns && !(has_centre && g->length > 0)) { /* with a centre the length would determine it */
+        FAIL(r, "a %s without rot, cw or ccw, the direction of its turn", "Curve");
         return;
     }
     const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
@@ -299,20 +299,20 @@ static void curve_add(Reader *r)
     const double from = atan2(start.y - centre.y, start.x - centre.x), to = atan2(end.y - centre.y, end.x - centre.x);
     double turn = side * (to - from);
     turn -= 2 * acos(-1) * floor(turn / (2 * acos(-1)));
-    if (hypot(end.x - start.x, end.y - start.y) < 1e-6) { /* once around, or not at all */
+    if (hypot(end.x - start.x, end.y - start.y) < 1e-6) { /* a full circle, or nothing */
         turn = g->length > acos(-1) * radius ? 2 * acos(-1) : 0;
         if (turn == 0) survey_ignore(r->in->out, "a Curve of no length: Start and End are one place");
     }
-    const double other = 2 * acos(-1) - turn; /* the way around the other side */
+    const double other = 2 * acos(-1) - turn; /* the turn around the other side */
     if (fabs(radius * turn - g->length) > fabs(radius * other - g->length) + 1e-3) {
-        if (g->turns) survey_ignore(r->in->out, "rot of a Curve: its length says the other side");
+        if (g->turns) survey_ignore(r->in->out, "rot of a Curve: its length implies the other side");
         element_add(r, start, from - side * acos(0), radius * other, -side / radius, -side / radius);
         return;
     }
     element_add(r, start, from + side * acos(0), radius * turn, side / radius, side / radius);
 }
 
-/* The heading follows from the chord: (AL2) from heading 0 tells the direction in which a spiral ends. */
+/* Adds a spiral. The heading follows from the chord: (AL2) from heading 0 gives the direction of its end. */
 static void spiral_add(Reader *r)
 {
     const Geometry *const g = &r->geometry;
@@ -323,7 +323,7 @@ static void spiral_add(Reader *r)
         return;
     }
     if (!g->turns) {
-        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Spiral");
+        FAIL(r, "a %s without rot, cw or ccw, the direction of its turn", "Spiral");
         return;
     }
     const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0, 0};
@@ -339,7 +339,7 @@ static void spiral_add(Reader *r)
     element_add(r, start, heading, g->length, level.k0, level.k1);
 }
 
-/* Numbers of a list one by one; 0 at its end. Anything else is an error. */
+/* Reads numbers of a list one by one; returns 0 at its end. Anything else is an error. */
 static int next_number(Reader *r, char **text, double *value)
 {
     *text += strspn(*text, " \t\r\n");
@@ -349,14 +349,14 @@ static int next_number(Reader *r, char **text, double *value)
     return 0;
 }
 
-/* Heights beside the plan are not read: without a Profile nobody knows them. */
+/* Reports heights beside the plan, which are not read: only a Profile defines heights. */
 static void heights_lose(Reader *r)
 {
     r->in->out->alignment[r->current].partly = 1;
     survey_ignore(r->in->out, "heights of Start, End and PntList3D: only those of a Profile are read");
 }
 
-/* The straights between the points of a PntList: `size` numbers each, northing before easting. */
+/* Adds the straights between the points of a PntList: `size` numbers each, northing before easting. */
 static void list_add(Reader *r, int size)
 {
     Geometry *const g = &r->geometry;
@@ -370,7 +370,7 @@ static void list_add(Reader *r, int size)
         if (before.known) line_add(r, before.at, at);
         before = (PointOf){at, 1};
     }
-    g->have[POINT_START] = before; /* what follows begins there */
+    g->have[POINT_START] = before; /* the next element begins there */
 }
 
 static int is_geometry(const char *name)
@@ -410,7 +410,7 @@ static void geometry_end(Reader *r, const char *name)
 
 /* --------------------------------------------------------------------------------------------------------- points */
 
-/* "northing easting [height]" of the element that is open, or the point that it refers to. */
+/* Reads "northing easting [height]" of the open element, or the point that it refers to. */
 static PointOf point_here(Reader *r, const char *name)
 {
     double value[3] = {0};
@@ -448,7 +448,7 @@ static void corner_begin(Reader *r, const char *name, const char **attributes)
     r->curve_after = uneven ? number(r, attributes, "lengthOut", unit) : r->curve_length;
 }
 
-/* "station height" with the curve around it. */
+/* Reads "station height" with the curve around it. */
 static void corner_end(Reader *r, const char *name)
 {
     double value[2] = {0};
@@ -510,7 +510,7 @@ static const struct {
              {"USSurveyFoot", 1200.0 / 3937},
              {"mile", 1609.344}};
 
-/* Heights have the unit of length; a file that gives them another is told so. */
+/* Checks the unit of heights, which is assumed as the unit of length; another one is reported. */
 static void height_unit_check(Reader *r, const char *name, double metres)
 {
     static const char *const names[] = {"meter", "kilometer", "feet", "miles"};
@@ -530,7 +530,7 @@ static void units_read(Reader *r, const char **attributes)
         if (strcasecmp(name, units[i].name)) continue;
         input_unit(r->in, units[i].metres, name);
         height_unit_check(r, attribute(attributes, "elevationUnit"), units[i].metres);
-        if (r->in->out->n > 0 && r->in->unit != before) FAIL(r, "Units behind what is measured in them: not read");
+        if (r->in->out->n > 0 && r->in->unit != before) FAIL(r, "Units after the values that they apply to: not read");
         return;
     }
     FAIL(r, "linearUnit is '%.40s': expected meter, foot, USSurveyFoot, inch and the like", name ? name : "not given");
@@ -550,8 +550,7 @@ static void alignment_begin(Reader *r, const char **attributes)
     r->profiles = 0;
 }
 
-/* What is left out below an alignment or the file as a whole. Notes that say nothing of the line are not worth a word.
- */
+/* Skips an element below an alignment or the file, and notes it unless it is irrelevant to the line. */
 static void skip(Reader *r, const char *name)
 {
     static const char *const silent[] = {"Project", "Application", "Feature", "Units", "AlignPIs"};
@@ -565,7 +564,7 @@ static void skip(Reader *r, const char *name)
     r->skipped = r->depth;
 }
 
-/* Elements that are only ways to others. */
+/* Checks for elements that only contain others. */
 static int passes(const char *name)
 {
     static const char *const ways[] = {"LandXML", "Alignments", "PlanFeatures", "CgPoints", "Units", "Profile"};
@@ -575,7 +574,7 @@ static int passes(const char *name)
     return 0;
 }
 
-/* An element inside an alignment. */
+/* Handles an element inside an alignment. */
 static void inner_begin(Reader *r, const char *name, const char **attributes)
 {
     if (!strcmp(name, "CoordGeom")) {
@@ -593,7 +592,7 @@ static void inner_begin(Reader *r, const char *name, const char **attributes)
     }
 }
 
-/* Names may have a prefix of their own. */
+/* Returns a name without its prefix. */
 static const char *local(const char *name)
 {
     const char *const colon = strrchr(name, ':');
@@ -647,7 +646,7 @@ static void end(void *data, const char *name)
     }
     const int point = land_point_kind(name);
     if (!strcmp(name, "CgPoint")) {
-        const int whole = *r->point_name && strlen(r->point_name) < WORD_MOST - 1; /* others are found by no name */
+        const int whole = *r->point_name && strlen(r->point_name) < WORD_MOST - 1; /* longer names cannot be found */
         if (whole && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status) fail_memory(r);
     } else if (r->current < 0) {
         return;
@@ -670,7 +669,7 @@ static void end(void *data, const char *name)
     }
 }
 
-/* Text is kept of the innermost element alone. */
+/* Collects the text of the innermost element only. */
 static void text(void *data, const char *piece, int n)
 {
     Reader *const r = data;
@@ -693,7 +692,7 @@ static void text(void *data, const char *piece, int n)
     r->text[r->text_length] = 0;
 }
 
-/* A LandXML file has no need of entities of its own; a hostile one has. */
+/* Refuses entity declarations, which LandXML does not need but hostile files use. */
 static void entity(void *data, const char *name, int parameter, const char *value, int length, const char *base,
                    const char *system, const char *public, const char *notation)
 {

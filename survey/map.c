@@ -123,7 +123,7 @@ hawser_status map_place(MapPlaces *p, double longitude, double latitude, double 
     if (!p->begun) {
         char system[SURVEY_NAME_MAX];
         map_system_write((MapOrigin){longitude, latitude}, system);
-        map_system_read(system, &p->origin); /* as it is written */
+        map_system_read(system, &p->origin); /* as rounded in the name */
         memcpy(p->in->out->system, system, sizeof system);
     }
     p->begun = 1;
@@ -138,11 +138,11 @@ hawser_status map_place(MapPlaces *p, double longitude, double latitude, double 
 
 enum { DEPTH_MOST = 32 };
 
-static const long SIZE_MOST = 200L << 20; /* the whole file is held, some twelve times its size */
+static const long SIZE_MOST = 200L << 20; /* the whole file is in memory, some twelve times its size */
 
-enum { ROOM = 1 << 16, ROOM_TIMES = 16 }; /* that must be there before it is read: bytes, and times its size */
+enum { ROOM = 1 << 16, ROOM_TIMES = 16 }; /* memory required before reading: bytes, and times the file's size */
 
-/* What is said of the geometry that is being read. */
+/* Properties of the geometry being read. */
 typedef struct Label {
     const char *name, *layer;
     int whole; /* number of the feature of several parts; 0: none */
@@ -191,7 +191,7 @@ static hawser_status mark_read(MapPlaces *p, const json_t *position, const Label
 
 static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *label, int depth);
 
-/* Each of a list by the same function. */
+/* Reads each item of a list with the same function. */
 static hawser_status list_read(MapPlaces *p, const json_t *list, const Label *label, int depth,
                                hawser_status (*read)(MapPlaces *p, const json_t *item, const Label *label, int depth))
 {
@@ -213,7 +213,7 @@ static hawser_status mark_of(MapPlaces *p, const json_t *item, const Label *labe
     return mark_read(p, item, label);
 }
 
-/* Texts of a feature's properties, or its number. */
+/* Reads texts of a feature's properties, or its number. */
 static Label label_of(const json_t *feature)
 {
     const json_t *const properties = json_object_get(feature, "properties");
@@ -249,7 +249,7 @@ static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *l
     return HAWSER_OK;
 }
 
-/* The first position in a file, whatever holds it; NULL: none. */
+/* Finds the first position in a file at any level; NULL: none. */
 static const json_t *position_find(const json_t *in, int depth)
 {
     static const char *const holders[] = {"features", "geometries", "geometry", "coordinates"};
@@ -262,8 +262,8 @@ static const json_t *position_find(const json_t *in, int depth)
     return found;
 }
 
-/* Whether a system of coordinates by its name has longitude and latitude. Of one that is not known its first place
- * tells: metres of a projection are far beyond 180 and 90. */
+/* Checks whether the named system of coordinates has longitude and latitude. For an unknown one the first place
+ * decides: metres of a projection are far beyond 180 and 90. */
 static int is_in_degrees(Survey *s, const char *crs, const json_t *root)
 {
     const json_t *const at = position_find(root, 0);
@@ -277,7 +277,8 @@ static int is_in_degrees(Survey *s, const char *crs, const json_t *root)
     return degrees;
 }
 
-/* Metres of a Mercator map of the world, by the number of its system: they are too long by 1/cos(latitude). */
+/* Checks for metres of a Mercator map of the world, by the number of its system: they are too long by 1/cos(latitude).
+ */
 static int is_web_map(const char *crs)
 {
     static const char *const numbers[] = {"3857", "3785", "3395", "900913", "102100", "102113", "54004"};
@@ -290,8 +291,8 @@ static int is_web_map(const char *crs)
     return 0;
 }
 
-/* A file may say which place its projection is about ("origin"). Degrees, but for files that say that they hold metres:
- * by "coordinates_in", or by the "crs" of old files. */
+/* Finds the system. A file may state the centre of its projection ("origin"). Coordinates are degrees, unless the file
+ * states that they are metres: by "coordinates_in", or by the "crs" of old files. */
 static hawser_status system_find(MapPlaces *p, const json_t *root)
 {
     const char *const in = json_string_value(json_object_get(root, "coordinates_in"));
@@ -315,7 +316,7 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     return HAWSER_OK;
 }
 
-/* The next character that is no blank, at which the file then is; EOF: none. A record separator is a blank. */
+/* Next character that is not a blank, to which the file advances; EOF: none. A record separator is a blank. */
 static int next_letter(FILE *file)
 {
     int c = getc(file);
@@ -324,14 +325,14 @@ static int next_letter(FILE *file)
     return c;
 }
 
-/* One value of the file: all of it, or a line of a file with a feature a line. */
+/* Reads one value of the file: the whole file, or one line of a file with a feature per line. */
 static hawser_status value_read(MapPlaces *places, int which)
 {
     SurveyInput *const in = places->in;
     json_error_t where;
     const long begin = ftell(in->file);
     json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
-    if (!root) { /* without memory jansson finds fault with some word of the text: what it finds is looked for twice */
+    if (!root) { /* without memory jansson may report a fault in the text: the text is parsed twice to check */
         input_seek(in, begin);
         root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     }
@@ -355,7 +356,7 @@ hawser_status geojson_read(SurveyInput *in)
     const long size = ftell(in->file);
     if (size > SIZE_MOST) return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
     if (!memory_room(ROOM + ROOM_TIMES * (size_t)(size > 0 ? size : 0))) return error_memory(in->err);
-    char mark[3] = ""; /* of the order of bytes, which jansson takes for a fault */
+    char mark[3] = ""; /* byte-order mark, which jansson refuses */
     input_seek(in, 0);
     input_seek(in, fread(mark, 1, 3, in->file) == 3 && !memcmp(mark, "\xEF\xBB\xBF", 3) ? 3 : 0);
     hawser_status status = HAWSER_OK;
@@ -367,26 +368,27 @@ hawser_status geojson_read(SurveyInput *in)
 
 enum { TEXT_MOST = SURVEY_NAME_MAX, CHUNK = 1 << 16, TRACK_DEPTH_MOST = 64 };
 
-/* Which point is open. */
+/* The open point. */
 typedef enum PointKind { POINT_NONE, POINT_OF_LINE, POINT_MARK } PointKind;
 
 typedef struct Reader {
     MapPlaces places;
     XML_Parser parser;
     hawser_status status;
-    int depth, line; /* line: alignment that is open, -1: none */
-    int skipped;     /* depth of the <extensions> in which nothing is read; 0: none */
+    int depth, line; /* line: open alignment, -1: none */
+    int skipped;     /* depth of the <extensions> being skipped; 0: none */
     char name[SURVEY_NAME_MAX];
     PointKind point;
     double longitude, latitude, height;
-    char text[TEXT_MOST]; /* of the innermost element, its beginning */
+    char text[TEXT_MOST]; /* beginning of the innermost element's text */
     size_t length;
-    int heights, points; /* of the line: points with a height, all */
+    int heights, points; /* of the line: number of points with a height, of all */
     /* of KML */
-    int kml, placemark, parts; /* placemark, parts: depth of the <Placemark>, of what holds several lines; 0: none */
-    int first, first_mark;     /* of the placemark */
-    int coordinates, highest;  /* inside of <coordinates>; a height of the line is not 0 */
-    enum { GROUND, ABOVE_GROUND, ABSOLUTE } mode; /* what heights count from */
+    int kml, placemark,
+        parts;             /* placemark, parts: depth of the <Placemark>, of the element with several lines; 0: none */
+    int first, first_mark; /* of the placemark */
+    int coordinates, highest;                     /* inside <coordinates>; a height of the line is not 0 */
+    enum { GROUND, ABOVE_GROUND, ABSOLUTE } mode; /* reference of heights */
 } Reader;
 
 static void fail(Reader *r, hawser_status status)
@@ -461,7 +463,7 @@ static void line_begin(Reader *r, const char *layer)
     if (r->parts) a->whole = r->first + 1;
 }
 
-/* One without points is none. A line of which some points have no height has none. */
+/* Completes a line; without points it is dropped. If some points have no height, the line has none. */
 static void line_end(Reader *r)
 {
     Survey *const s = r->places.in->out;
@@ -470,9 +472,9 @@ static void line_end(Reader *r)
     a->flat = r->heights < r->points;
     a->partly = a->flat && r->heights > 0;
     if (a->partly) survey_ignore(s, "heights of a line in which some points have none");
-    if (r->kml && !a->flat && r->mode == GROUND && !r->highest) a->flat = 1; /* 0 stands for the ground */
+    if (r->kml && !a->flat && r->mode == GROUND && !r->highest) a->flat = 1; /* 0 means the ground */
     if (r->kml && !a->flat && r->mode == ABOVE_GROUND) {
-        survey_ignore(s, "heights above the ground (relativeToGround), whose own are not in the file");
+        survey_ignore(s, "heights above the ground (relativeToGround), whose level is not in the file");
         a->flat = a->partly = 1;
     }
     if (r->kml && !a->flat && r->mode == GROUND)
@@ -486,14 +488,14 @@ static void line_end(Reader *r)
     r->line = -1;
 }
 
-/* Names may have a prefix of their own. */
+/* Returns a name without its prefix. */
 static const char *local(const char *name)
 {
     const char *const colon = strrchr(name, ':');
     return colon ? colon + 1 : name;
 }
 
-/* Longitude, latitude and maybe height, with `between` between them; of a line or, outside of one, a mark. */
+/* Reads longitude, latitude and perhaps height, separated by `between`; of a line or, outside of one, a mark. */
 static void place_read(Reader *r, char between)
 {
     char *at = r->text;
@@ -518,7 +520,7 @@ static void place_read(Reader *r, char between)
     point_end(r);
 }
 
-/* What of KML is no line and no point, and is said. */
+/* Checks for items of KML that are neither line nor point, and are reported. */
 static int is_left_out(const char *name)
 {
     static const char *const kinds[] = {"Polygon",       "Model",        "NetworkLink", "GroundOverlay",
@@ -532,7 +534,7 @@ static void kml_begin(Reader *r, const char *name)
 {
     Survey *const s = r->places.in->out;
     if (is_left_out(name)) {
-        survey_ignore(s, strcmp(name, "NetworkLink") ? name : "NetworkLink: what lies in another file");
+        survey_ignore(s, strcmp(name, "NetworkLink") ? name : "NetworkLink: contents of another file");
         r->skipped = r->depth;
     } else if (!strcmp(name, "ExtendedData")) {
         r->skipped = r->depth;
@@ -546,14 +548,14 @@ static void kml_begin(Reader *r, const char *name)
     } else if (!strcmp(name, "MultiGeometry") || !strcmp(name, "MultiTrack")) {
         if (!r->parts) r->parts = r->depth;
     } else if (!strcmp(name, "LineString") || !strcmp(name, "LinearRing") || !strcmp(name, "Track")) {
-        if (strcmp(name, "Track")) r->mode = GROUND; /* that of tracks may stand before them */
+        if (strcmp(name, "Track")) r->mode = GROUND; /* the mode of tracks may precede them */
         line_begin(r, "");
     } else if (!strcmp(name, "coordinates")) {
         r->coordinates = 1;
     }
 }
 
-/* A name may stand behind what it is of. */
+/* Sets a name, which may follow the item that it belongs to. */
 static void kml_name(Reader *r)
 {
     Survey *const s = r->places.in->out;
@@ -645,7 +647,7 @@ static void text(void *data, const char *piece, int n)
     Reader *const r = data;
     for (int i = 0; i < n && !r->status; ++i) {
         const int blank = strchr(" \t\r\n", piece[i]) != NULL;
-        if (r->coordinates && blank) { /* between places, or behind a comma of one */
+        if (r->coordinates && blank) { /* between places, or after a comma within one */
             if (r->length && r->text[r->length - 1] != ',') place_read(r, ',');
             if (r->length && r->text[r->length - 1] == ',') continue;
             r->length = 0;
@@ -659,7 +661,7 @@ static void text(void *data, const char *piece, int n)
     }
 }
 
-/* Such a file has no need of entities of its own; a hostile one has. */
+/* Refuses entity declarations, which these files do not need but hostile ones use. */
 static void entity(void *data, const char *name, int parameter, const char *value, int length, const char *base,
                    const char *system, const char *public, const char *notation)
 {

@@ -8,26 +8,27 @@
 
 #include "core/error.h"
 
-enum { HEAD_SIZE = 1 << 14 }; /* comments may stand before what tells */
+enum { HEAD_SIZE = 1 << 14 }; /* comments may precede the identifying text */
 
 typedef hawser_status (*Reader)(SurveyInput *in);
 
 static int is_step(const char *head) { return !strncmp(head, "ISO-10303-21", 12); }
-/* A first group 0 SECTION, maybe behind comments (999). */
+/* Checks for a first group 0 SECTION, perhaps after comments (999). */
 static int is_dxf(const char *head)
 {
     const char *const behind = head + strspn(head, "0123456789");
     return !strncmp(head, "AutoCAD Binary DXF", 18) ||
            ((!strncmp(head, "999", 3) || !strncmp(head, "0", 1)) && (*behind == '\r' || *behind == '\n'));
 }
-/* What AutoCAD writes when it is not asked for DXF. */
+/* Checks for AutoCAD's default format. */
 static int is_dwg(const char *head) { return !strncmp(head, "AC10", 4); }
 static hawser_status dwg_read(SurveyInput *in)
 {
     return input_error(in, "a DWG drawing, which cannot be read: save it as DXF (SAVEAS, any version from R12 on)");
 }
 
-/* Behind a declaration, a comment or a DOCTYPE with its brackets, which begins there; NULL: it does not end. */
+/* Returns the end of a declaration, a comment or a DOCTYPE with its brackets, which begins at `text`; NULL: it does not
+ * end. */
 static const char *prolog_end(const char *text)
 {
     const int comment = !strncmp(text, "<!--", 4), declaration = text[1] == '?';
@@ -40,7 +41,7 @@ static const char *prolog_end(const char *text)
     return NULL;
 }
 
-/* XML whose outermost element is gpx or kml, with or without a prefix. */
+/* Checks for XML whose outermost element is gpx or kml, with or without a prefix. */
 static int is_tracks(const char *head)
 {
     while (head && *head == '<' && (head[1] == '?' || head[1] == '!')) {
@@ -53,21 +54,21 @@ static int is_tracks(const char *head)
            (!strncmp(head + size - 2, "gpx", 3) || !strncmp(head + size - 2, "kml", 3));
 }
 static int is_archive(const char *head) { return !strncmp(head, "PK\3\4", 4); }
-/* The container of .xls, and of workbooks with a password. */
+/* Checks for the container of .xls, and of workbooks with a password. */
 static int is_old_office(const char *head) { return !strncmp(head, "\xD0\xCF\x11\xE0", 4); }
 static hawser_status old_office_read(SurveyInput *in)
 {
     return input_error(in, "an .xls workbook, or one with a password, which cannot be read: save it as .xlsx without");
 }
-/* Which is the file of the shapes and which their index, both have the same sign, the name alone says. */
+/* Signature of a shapefile and of its index, which only their names distinguish. */
 static const char shape_sign[] = {0, 0, 0x27, 0x0A};
 static int is_shape(const char *head) { return !memcmp(head, shape_sign, sizeof shape_sign); }
-/* A feature a line may stand behind a record separator. */
+/* Checks for JSON; a feature per line may follow a record separator. */
 static int is_json(const char *head) { return *head == '{' || (*head == 0x1E && head[1] == '{'); }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
-/* The first whose sign is there reads the file. */
+/* The first reader whose check succeeds reads the file. */
 static const struct {
     int (*is)(const char *head);
     Reader read;
@@ -78,8 +79,8 @@ static const struct {
 
 static int is_table_of(Reader read) { return read == table_read || read == sheet_read; }
 
-/* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. *wide: it is
- * text of two bytes a character (UTF-16), of which the head has every other one. */
+/* Reads the file's beginning without byte-order mark and blanks, and rewinds it. *wide: it is text of two bytes per
+ * character (UTF-16); the head then has every other byte. */
 static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
 {
     char text[HEAD_SIZE] = "";
@@ -95,7 +96,7 @@ static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
     input_seek(in, 0);
 }
 
-/* Text of two bytes a character as UTF-8, which is read in its place. */
+/* Decodes text of two bytes per character to UTF-8, which is read in its place. */
 static hawser_status wide_decode(SurveyInput *in)
 {
     const size_t most = (size_t)200 << 20;
@@ -104,7 +105,7 @@ static hawser_status wide_decode(SurveyInput *in)
     hawser_status status = input_all(in, most, &wide, &size);
     if (!status && !(text = malloc(3 * size / 2 + 4))) status = error_memory(in->err);
     const int big = !status && *wide == '\xFE';
-    unsigned first = 0; /* of a pair */
+    unsigned first = 0; /* of a surrogate pair */
     for (size_t i = 2; !status && i + 1 < size; i += 2) {
         const unsigned char *const c = (const unsigned char *)wide + i;
         const unsigned u = big ? (unsigned)c[0] << 8 | c[1] : (unsigned)c[1] << 8 | c[0];
@@ -124,7 +125,7 @@ static hawser_status wide_decode(SurveyInput *in)
     return status;
 }
 
-/* Alignments without a name are called as the file, without folder and ending. */
+/* Names unnamed alignments after the file, without folder and extension. */
 static void names_fill(const char *path, Survey *s)
 {
     const char *const slash = strrchr(path, '/'), *const base = slash ? slash + 1 : path;
@@ -138,10 +139,10 @@ static void names_fill(const char *path, Survey *s)
 enum { TURNS_MOST = 100 };
 static const double FAR = 1e9;
 
-static int is_near(double x) { return fabs(x) <= FAR; } /* false of NAN */
+static int is_near(double x) { return fabs(x) <= FAR; } /* false for NAN */
 
-/* What is wrong with a line that is no line on Earth: a slip of units, signs or columns; NULL: nothing. Measuring what
- * turns round and round would take for ever. */
+/* Fault of a line that cannot be on Earth, by wrong units, signs or columns; NULL: none. A line that turns endlessly
+ * would take too long to measure. */
 static const char *nonsense(const Alignment *a)
 {
     int near = 1, wound = 0;
@@ -159,7 +160,7 @@ static const char *nonsense(const Alignment *a)
                    : NULL;
 }
 
-/* Such lines are left out, and said so. Errors: INPUT if no line is left that way. */
+/* Drops and reports such lines. Errors: INPUT if no line remains. */
 static hawser_status nonsense_drop(SurveyInput *in)
 {
     Survey *const s = in->out;
@@ -180,7 +181,7 @@ static hawser_status nonsense_drop(SurveyInput *in)
     return input_error(in, "there are only %s", last);
 }
 
-/* Says where a file's own word of a length is not that of its line. 0 says nothing. */
+/* Reports a stated length that differs from that of the line; 0 counts as not stated. */
 static void lengths_compare(Survey *s)
 {
     const double least = 1e-3, part = 1e-6; /* rounding */
@@ -188,13 +189,13 @@ static void lengths_compare(Survey *s)
         const double stated = s->alignment[i].stated_length, is = alignment_measure(&s->alignment[i]).plan_length;
         char what[SURVEY_NAME_MAX];
         if (!(stated > 0) || fabs(stated - is) < least + part * is) continue;
-        snprintf(what, sizeof what, "'%.40s' is %.10g m long by the file's word, but its line is %.10g m",
+        snprintf(what, sizeof what, "'%.40s' is %.10g m long according to the file, but its line is %.10g m",
                  s->alignment[i].name, stated, is);
         survey_ignore(s, what);
     }
 }
 
-/* Says where a profile covers less than its line: beyond it goes on with its grade. */
+/* Reports a profile shorter than its line: it continues with its last grade. */
 static void profiles_compare(Survey *s)
 {
     const double least = 0.01, part = 1e-5; /* m; of the length, rounding of stations */
@@ -206,7 +207,7 @@ static void profiles_compare(Survey *s)
         const double from = a->profile[0].station,
                      to = a->profile[a->n_profile - 1].station + a->profile[a->n_profile - 1].length;
         if (from < least + part * is && to > is - least - part * is) continue;
-        snprintf(what, sizeof what, "heights of '%.40s' but from %.3f to %.3f m of %.3f: its grade goes on", a->name,
+        snprintf(what, sizeof what, "heights of '%.40s' only from %.3f to %.3f m of %.3f: its grade continues", a->name,
                  from, to, is);
         survey_ignore(s, what);
     }
@@ -233,7 +234,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
             status = readers[i].read(&in);
         break;
     }
-    /* what a disk does not give looks like the file's end, and is taken for the file's fault */
+    /* a disk error looks like the file's end, and would be reported as the file's fault */
     const int lost = status == HAWSER_ERR_MEMORY ? 0 : input_lost(&in);
     in.line = lost ? 0 : in.line;
     if (lost) status = input_error(&in, "cannot be read: %s", strerror(lost));

@@ -1,5 +1,5 @@
 /* Shapefiles: PolyLine (Z, M) as lines, Point and MultiPoint as marks, by libshp; names from the table (.dbf) beside
- * them, the system of coordinates from the .prj. libshp is given bytes in memory alone, whose sizes were checked. */
+ * them, the system of coordinates from the .prj. libshp only gets bytes in memory, whose sizes were checked. */
 #define _GNU_SOURCE /* fmemopen */
 #include <math.h>
 #include <stdlib.h>
@@ -23,15 +23,15 @@ hawser_status shape_read(SurveyInput *in)
 #include <unistd.h>
 
 static const size_t FILE_MOST = (size_t)1 << 30, TEXT_MOST = 1 << 16;
-enum { HEAD = 100, ROOM = 1 << 16, ROOM_TIMES = 4 }; /* that must be there for a record: bytes, and times its size */
+enum { HEAD = 100, ROOM = 1 << 16, ROOM_TIMES = 4 }; /* memory required for a record: bytes, and times its size */
 
 /* ------------------------------------------------------------------------------------------------------------- files
  */
 
-/* The files of one name. libshp opens by name: the name it gets is the address of these. */
+/* The files of one name. libshp opens files by name: the name that it gets is the address of this struct. */
 enum { FILE_SHP, FILE_SHX, FILE_DBF, FILE_PRJ, FILE_CPG, FILES };
 typedef struct Files {
-    char *text[FILES]; /* with a 0 behind it; NULL: there is none */
+    char *text[FILES]; /* with a terminating 0; NULL: there is none */
     size_t size[FILES];
 } Files;
 
@@ -75,7 +75,7 @@ static SAHooks hooks(void)
                      file_flush, file_close, file_remove, silent,    atof};
 }
 
-/* The bytes of the file beside the .shp that has this ending, in small or in capital letters. */
+/* Reads the file with this extension beside the .shp, in small or in capital letters. */
 static hawser_status beside_read(const SurveyInput *in, Files *files, int kind)
 {
     const char *const slash = strrchr(in->path, '/'), *const dot = strrchr(slash ? slash : in->path, '.');
@@ -110,7 +110,7 @@ static void big_put(char *at, unsigned value)
     for (int i = 0; i < 4; ++i) at[i] = (char)(value >> (24 - 8 * i));
 }
 
-/* The index of a .shp that has none beside it, from its records: each says how long it is, in words of 16 bits. */
+/* Builds the index of a .shp without one from its records: each states its length in words of 16 bits. */
 static hawser_status index_make(const SurveyInput *in, Files *files)
 {
     const char *const shp = files->text[FILE_SHP];
@@ -131,11 +131,12 @@ static hawser_status index_make(const SurveyInput *in, Files *files)
     return HAWSER_OK;
 }
 
-/* Errors: INPUT (a file shorter than it says, or too large), MEMORY. */
+/* Reads all files. Errors: INPUT (a file shorter than it states, or too large), MEMORY. */
 static hawser_status files_read(SurveyInput *in, Files *files)
 {
     const char *const dot = strrchr(in->path, '.');
-    if (dot && !strcasecmp(dot, endings[FILE_SHX])) return input_error(in, "the index of a shapefile: name its .shp");
+    if (dot && !strcasecmp(dot, endings[FILE_SHX]))
+        return input_error(in, "the index of a shapefile: give its .shp file");
     input_seek(in, 0);
     hawser_status status = input_all(in, FILE_MOST, &files->text[FILE_SHP], &files->size[FILE_SHP]);
     for (int i = FILE_SHX; i < FILES && !status; ++i) status = beside_read(in, files, i);
@@ -145,7 +146,7 @@ static hawser_status files_read(SurveyInput *in, Files *files)
     for (int i = FILE_SHP; i <= FILE_SHX && !status; ++i) {
         const char *const text = files->text[i];
         if (files->size[i] < HEAD || 2 * (size_t)big(text + 24) > files->size[i])
-            status = input_error(in, "its %s is shorter than it says: the file is not whole", endings[i]);
+            status = input_error(in, "its %s is shorter than its head states: the file is incomplete", endings[i]);
     }
     return status;
 }
@@ -164,7 +165,7 @@ static int is_node(const char *node, const char *const *kinds)
     return 0;
 }
 
-/* The first of these kinds directly in a node, KIND[..., KIND[...]]; NULL: none. */
+/* The first child of these kinds in a node, KIND[..., KIND[...]]; NULL: none. */
 static const char *child(const char *node, const char *const *kinds)
 {
     int depth = 0, quoted = 0;
@@ -180,7 +181,7 @@ static const char *child(const char *node, const char *const *kinds)
     return NULL;
 }
 
-/* The name of a node, cut to 60 characters. */
+/* Name of a node, cut to 60 characters. */
 static const char *name_of(const char *node, char name[64])
 {
     const char *const from = node ? strchr(bracket_of(node), '"') : NULL;
@@ -188,7 +189,7 @@ static const char *name_of(const char *node, char name[64])
     return name;
 }
 
-/* The number behind a node's name. 0: there is none. */
+/* Reads the number after a node's name. Returns 0 if there is none. */
 static int number_of(const SurveyInput *in, const char *node, double *value)
 {
     const char *const from = node ? strchr(bracket_of(node), '"') : NULL, *const to =
@@ -204,7 +205,7 @@ static const char *unit_of(const char *system)
     return own ? own : child(child(system, axes), units);
 }
 
-/* Errors: INPUT (degrees of no kind that is known). */
+/* Sets a system in degrees. Errors: INPUT (an unknown angular unit). */
 static hawser_status geographic_set(MapPlaces *p, const char *system, double *meridian)
 {
     static const char *const datums[] = {"DATUM", "ENSEMBLE", NULL}, *const shapes[] = {"SPHEROID", "ELLIPSOID", NULL},
@@ -226,7 +227,7 @@ static hawser_status geographic_set(MapPlaces *p, const char *system, double *me
     return map_unit(p);
 }
 
-/* What a projection does to lengths: that of a map of the world makes them too long or too short. */
+/* Checks for the projection of a map of the world, which makes lengths too long or too short. */
 static int is_world_map(const char *projection)
 {
     return (strcasestr(projection, "mercator") && !strcasestr(projection, "transverse") &&
@@ -235,8 +236,8 @@ static int is_world_map(const char *projection)
            strcasestr(projection, "equidistant_cyl");
 }
 
-/* What the .prj says; *height: metres in a unit of the heights, *meridian: longitude of the one that is 0, degrees.
- * Errors: INPUT (a system whose coordinates are no lengths). */
+/* Reads the .prj; *height: metres per unit of the heights, *meridian: longitude of the zero meridian, degrees. Errors:
+ * INPUT (coordinates that are not lengths). */
 static hawser_status system_read(MapPlaces *p, const char *text, double *height, double *meridian)
 {
     static const char *const whole[] = {"COMPD_CS", "COMPOUNDCRS", NULL}, *const plans[] = {"PROJCS",       "PROJCRS",
@@ -274,7 +275,7 @@ static hawser_status system_read(MapPlaces *p, const char *text, double *height,
     return HAWSER_OK;
 }
 
-/* Without a .prj nobody knows whether numbers as small as these are degrees. */
+/* Refuses small numbers without a .prj, which may be degrees. */
 static hawser_status unknown_check(const SurveyInput *in)
 {
     int degrees = 1;
@@ -302,7 +303,7 @@ typedef struct Shapes {
     double height, meridian; /* as in system_read */
 } Shapes;
 
-/* A column of the table, by its name. */
+/* Finds a column of the table by its name. */
 static int column_find(DBFHandle dbf, const char *name)
 {
     for (int i = 0; dbf && i < DBFGetFieldCount(dbf); ++i) {
@@ -313,8 +314,8 @@ static int column_find(DBFHandle dbf, const char *name)
     return -1;
 }
 
-/* Opens the table, if there is one that holds what its head says. Its columns must lie within a record, which libshp
- * takes for granted. */
+/* Opens the table, if there is one that is as long as its head states. Its columns must lie within a record, which
+ * libshp does not check. */
 static void table_open(Shapes *s, const Files *files, const char *address)
 {
     const char *const cpg = files->text[FILE_CPG];
@@ -337,7 +338,7 @@ static void table_open(Shapes *s, const Files *files, const char *address)
     s->layer = column_find(s->dbf, "layer");
 }
 
-/* A cell of the table as UTF-8; "" if there is none. */
+/* Reads a cell of the table as UTF-8; "" if there is none. */
 static const char *cell_of(const Shapes *s, int record, int column, char text[SURVEY_NAME_MAX])
 {
     const char *const own =
@@ -347,7 +348,7 @@ static const char *cell_of(const Shapes *s, int record, int column, char text[SU
     return text;
 }
 
-/* Vertices from `from` to before `to` as a line. */
+/* Reads vertices `from` to before `to` as a line. */
 static hawser_status part_read(Shapes *s, const SHPObject *o, int from, int to, const Alignment *like)
 {
     Survey *const out = s->places.in->out;
@@ -407,7 +408,7 @@ static hawser_status marks_read(Shapes *s, const SHPObject *o, const Alignment *
 static hawser_status record_read(Shapes *s, int i)
 {
     Survey *const out = s->places.in->out;
-    Alignment like = {0}; /* what is the same of all lines of the record */
+    Alignment like = {0}; /* properties shared by all lines of the record */
     if (s->dbf && i < s->dbf->nRecords && DBFIsRecordDeleted(s->dbf, i))
         return survey_ignore(out, "records that the .dbf has deleted"), HAWSER_OK;
     if (!memory_room(ROOM + ROOM_TIMES * (size_t)s->shp->panRecSize[i])) return error_memory(s->places.in->err);

@@ -1,5 +1,5 @@
-/* Archives: spreadsheets, .xlsx (ECMA-376) and .ods (OpenDocument 1.2), the cells of one sheet as text, a row a line,
- * which is read as any table is; and KMZ, whose KML is read as any KML is. */
+/* Archives: spreadsheets, .xlsx (ECMA-376) and .ods (OpenDocument 1.2), the cells of one sheet as text, a row per line,
+ * read like any table; and KMZ, whose KML is read like any KML. */
 #define _GNU_SOURCE /* locale_t, fdopen */
 #include <expat.h>
 #include <math.h>
@@ -14,7 +14,7 @@
 
 enum {
     CHUNK = 1 << 16,
-    CELL_MOST = 4000, /* characters of a cell; what is longer is a note, and is cut */
+    CELL_MOST = 4000, /* characters of a cell; longer notes are cut */
     CELLS_MOST = 5000000,
     ROWS_MOST = 1 << 24,
     COLUMNS_MOST = 1 << 14,
@@ -28,23 +28,23 @@ static const size_t UNPACKED_MOST = (size_t)300 << 20, STORE_MOST = (size_t)200 
 
 typedef struct Cell {
     int row, column; /* from 0 */
-    size_t text;     /* where it stands in the store */
+    size_t text;     /* its place in the store */
 } Cell;
 
-/* Rows and columns of one cell. */
+/* Rows and columns of a merged cell. */
 typedef struct Merge {
     int row, column, last;
 } Merge;
 
 typedef struct Sheet {
-    size_t name, id; /* in the store; id: of the relation that has its file */
+    size_t name, id; /* in the store; id: of the relation to its file */
 } Sheet;
 
-/* How a style of .xlsx shows a number. */
+/* Display of a number by a style of .xlsx. */
 typedef struct Format {
-    int id; /* of a code of the file's own */
+    int id; /* of a code defined by the file */
     enum { SHOWN_PLAIN, SHOWN_DATE, SHOWN_PERCENT } shown;
-    char unit[16]; /* that stands behind the number; "": none */
+    char unit[16]; /* text after the number; "": none */
 } Format;
 
 typedef struct Book {
@@ -57,16 +57,16 @@ typedef struct Book {
     int stored;     /* bytes of it */
     size_t room;    /* of the store */
     Sheet *sheet;   /* [n_sheets] */
-    size_t *shared; /* [n_shared] texts that cells name by their number */
+    size_t *shared; /* [n_shared] texts that cells refer to by number */
     Format *format, *style;
     Cell *cell;
     Merge *merge;
     int n_sheets, n_shared, n_formats, n_styles, n_cells, n_merges;
-    int from_1904; /* days are counted from 1904 */
-    int chosen;    /* the sheet that is read */
+    int from_1904; /* days count from 1904 */
+    int chosen;    /* the sheet being read */
     const char *id;
     char target[300], strings[300], styles[300]; /* files inside the archive */
-    /* where the reader is */
+    /* position of the reader */
     int row, column, last_row, last_column, repeated, rows_repeated, first; /* first: cell of the row */
     int skip, taken, sheets_seen, formula, style_at, in_styles, shown_row, percent, paragraphs;
     char type[20], value[64];
@@ -80,7 +80,7 @@ static void stop(Book *b, hawser_status status)
     if (b->parser) XML_StopParser(b->parser, XML_FALSE);
 }
 
-/* Keeps a text; its place. 0: there is no memory, or too much. */
+/* Stores a text; returns its place. 0: there is no memory, or too much text. */
 static size_t keep(Book *b, const char *text)
 {
     const size_t size = strlen(text) + 1, at = (size_t)b->stored;
@@ -122,7 +122,7 @@ static void XMLCALL text_add(void *data, const XML_Char *text, int n)
         const unsigned char c = (unsigned char)text[i];
         b->text[b->size++] = c < 0x20 ? ' ' : (char)c;
     }
-    while (b->size == CELL_MOST && ((unsigned char)b->text[b->size - 1] & 0x80)) --b->size; /* no half characters */
+    while (b->size == CELL_MOST && ((unsigned char)b->text[b->size - 1] & 0x80)) --b->size; /* no partial characters */
     b->text[b->size] = 0;
 }
 static void text_begin(Book *b)
@@ -139,7 +139,7 @@ static void XMLCALL doctype(void *data, const XML_Char *name, const XML_Char *sy
     stop(b, input_error(b->in, "a DOCTYPE, which no spreadsheet has"));
 }
 
-/* Reads a file of the archive. 0: there is none of that name. */
+/* Reads a file of the archive. Returns 0 if there is none of that name. */
 static int part_read(Book *b, const char *name, XML_StartElementHandler begin, XML_EndElementHandler end)
 {
     zip_file_t *const file = zip_fopen(b->zip, name, ZIP_FL_NOCASE);
@@ -176,8 +176,7 @@ static int part_read(Book *b, const char *name, XML_StartElementHandler begin, X
     return 1;
 }
 
-/* ---------------------------------------------------------------------------------------------------------- its cells
- */
+/* ---------------------------------------------------------------------------------------------------------- cells */
 
 static void cell_add(Book *b, int row, int column, size_t text)
 {
@@ -193,7 +192,7 @@ static void cell_add(Book *b, int row, int column, size_t text)
         *cell = (Cell){row, column, text};
 }
 
-/* What a program wrote that does not calculate. */
+/* Refuses a formula without a value, written by a program that does not calculate. */
 static void valueless(Book *b)
 {
     stop(b, input_error(b->in, "a formula without its value: open the file with a spreadsheet program, and save it"));
@@ -205,7 +204,7 @@ static int is_number(const Book *b, const char *text)
     return input_number_whole(b->in, text, &value);
 }
 
-/* The unit that a number is shown with, where it is a known one: " ft" of "0.0 ft". */
+/* Reads the unit displayed after a number, if it is known: " ft" of "0.0 ft". */
 static void unit_take(const char *text, size_t size, char unit[16])
 {
     while (size && *text == ' ') ++text, --size;
@@ -214,7 +213,7 @@ static void unit_take(const char *text, size_t size, char unit[16])
     if (size && size < 14 && unit_find(text, size)) snprintf(unit, 16, " %.*s", (int)size, text);
 }
 
-/* A number of days as a date, or as a time of day below one. */
+/* Writes a number of days as a date, or below one as a time of day. */
 static void date_print(double days, char *text, size_t room)
 {
     if (!(days >= 0 && days < 3e6)) {
@@ -234,7 +233,7 @@ static void date_print(double days, char *text, size_t room)
     snprintf(text, room, "%04ld-%02ld-%02ld", year + era * 400 + (month <= 2), month, in_year - (153 * m + 2) / 5 + 1);
 }
 
-/* A number as its style shows it. */
+/* Writes a number as its style displays it. */
 static void number_show(const Book *b, const Format *format, char *text, size_t room)
 {
     double value;
@@ -255,8 +254,8 @@ static int by_place(const void *a, const void *b)
     return x->row != y->row ? (x->row > y->row) - (x->row < y->row) : (x->column > y->column) - (x->column < y->column);
 }
 
-/* A cell's text below a merge over several rows counts in each of them: a head may be two rows high. The cells are in
- * order, and are again at the end. */
+/* Copies the text of a cell merged over several rows to each of them, since a head may be two rows high. The cells stay
+ * sorted. */
 static void merges_spread(Book *b)
 {
     const size_t n = (size_t)b->n_cells;
@@ -272,7 +271,8 @@ static void merges_spread(Book *b)
     qsort(b->cell, (size_t)b->n_cells, sizeof *b->cell, by_place);
 }
 
-/* The sheet as text, a row a line, each cell behind a separator of its own; the input reads it from here on. */
+/* Converts the sheet to text, a row per line, cells separated by a special character; the input reads it from now on.
+ */
 static hawser_status sheet_hold(Book *b)
 {
     enum { SEPARATOR = '\x1F' };
@@ -308,7 +308,7 @@ static hawser_status sheet_hold(Book *b)
     return input_hold(b->in, text, (size_t)(to - text));
 }
 
-/* Which sheet: the first, or that of the name or number; the others are said to be unread. */
+/* Chooses the sheet: the first, or by name or number; the others are reported as unread. */
 static hawser_status sheet_choose(Book *b)
 {
     const char *const sheet = b->in->options.sheet;
@@ -357,7 +357,8 @@ static int ends(const char *text, const char *with)
     return n >= m && !strcmp(text + n - m, with);
 }
 
-/* First the sheets that are none of cells go; then the files of the chosen one, of texts and of styles are found. */
+/* Reads a relation: finds the files of the chosen sheet, of texts and of styles; sheets without cells are removed
+ * first. */
 static void XMLCALL relation_begin(void *data, const XML_Char *name, const XML_Char **atts)
 {
     Book *const b = data;
@@ -383,7 +384,7 @@ static void XMLCALL strings_begin(void *data, const XML_Char *name, const XML_Ch
     (void)atts;
     if (is(name, "si")) text_begin(b), b->taken = 0;
     if (is(name, "t")) b->taken = 1;
-    if (is(name, "rPh")) ++b->skip; /* how it is pronounced */
+    if (is(name, "rPh")) ++b->skip; /* pronunciation */
 }
 static void XMLCALL strings_end(void *data, const XML_Char *name)
 {
@@ -399,7 +400,7 @@ static void XMLCALL strings_end(void *data, const XML_Char *name)
         stop(b, error_memory(b->in->err));
 }
 
-/* What a code of a number's format means: its first section, without colours and conditions. */
+/* Interprets the code of a number's format: its first section, without colours and conditions. */
 static Format code_read(int id, const char *code)
 {
     Format f = {.id = id};
@@ -455,7 +456,7 @@ static void XMLCALL styles_end(void *data, const XML_Char *name)
     if (is(name, "cellXfs")) b->in_styles = 0;
 }
 
-/* "AB12": its row and column from 0. 0: it is no place. */
+/* Reads "AB12" as row and column from 0. Returns 0 if it is not a place. */
 static int place_read(const char *text, int *row, int *column)
 {
     int letters = 0;
@@ -563,7 +564,7 @@ static void XMLCALL ods_begin(void *data, const XML_Char *name, const XML_Char *
     const char *const date = attribute(atts, "date-value"), *const value = attribute(atts, "value");
     if (is(name, "table")) {
         const char *const given = attribute(atts, "name");
-        if (b->chosen < 0) { /* the first time through, for the names */
+        if (b->chosen < 0) { /* the first pass reads the names */
             const size_t kept = keep(b, given ? given : "");
             Sheet *const sheet = b->status ? NULL : survey_one_more(&b->sheet, &b->n_sheets, sizeof *b->sheet);
             if (sheet) *sheet = (Sheet){kept, kept};
@@ -599,7 +600,7 @@ static void XMLCALL ods_begin(void *data, const XML_Char *name, const XML_Char *
     }
 }
 
-/* What a cell of a number shows behind it, and its value. */
+/* Stores the value of a numeric cell, with the unit that it displays. */
 static void ods_value(Book *b)
 {
     char unit[16], text[96];
@@ -651,8 +652,8 @@ static hawser_status ods_read(Book *b)
     return b->status;
 }
 
-/* -------------------------------------------------------------------------------------------------------------- either
- */
+/* -------------------------------------------------------------------------------------------------------------- both
+ * formats */
 
 static hawser_status book_open(Book *b)
 {
@@ -670,8 +671,8 @@ static hawser_status book_open(Book *b)
     return status;
 }
 
-/* The first KML of a KMZ, outside of its folders if there is one, as what the input reads from here on; the others are
- * said to be unread. 0: there is none. */
+/* Lets the input read the first KML of a KMZ, preferably one outside its folders; the others are reported as unread.
+ * Returns 0 if there is none. */
 static int kml_hold(Book *b)
 {
     const zip_int64_t n = zip_get_num_entries(b->zip, 0);

@@ -17,7 +17,7 @@ static const StepValue nothing = {0};
 
 /* ------------------------------------------------------------------------------------------------------ characters */
 
-/* Behind blanks and comments. */
+/* Skips blanks and comments. */
 static const char *blanks(const char *c)
 {
     for (;;) {
@@ -29,7 +29,7 @@ static const char *blanks(const char *c)
     }
 }
 
-/* Behind a text in single quotes, of which two are one inside; c is at the first quote. */
+/* Skips a text in single quotes, in which two quotes are one; c is at the first quote. */
 static const char *behind_quotes(const char *c)
 {
     for (++c; *c && (*c != '\'' || c[1] == '\''); ++c) {
@@ -38,7 +38,7 @@ static const char *behind_quotes(const char *c)
     return *c ? c + 1 : c;
 }
 
-/* Behind the semicolon that ends a statement; NULL: there is none. */
+/* Skips a statement with its semicolon; NULL: there is none. */
 static const char *behind_statement(const char *c)
 {
     while (*c && *c != ';') {
@@ -52,7 +52,7 @@ static const char *behind_statement(const char *c)
     return *c ? c + 1 : NULL;
 }
 
-/* The file's line in which a place stands. */
+/* Line of the file at a place. */
 static long line_of(const StepFile *file, const char *at)
 {
     long line = 1;
@@ -79,7 +79,7 @@ static hawser_status text_read(StepFile *file)
     return HAWSER_OK;
 }
 
-/* The name in FILE_SCHEMA (('IFC4X3')). */
+/* Reads the name in FILE_SCHEMA (('IFC4X3')). */
 static void schema_read(StepFile *file)
 {
     const char *const at = strstr(file->text, "FILE_SCHEMA"), *const quote = at ? strchr(at, '\'') : NULL;
@@ -101,7 +101,7 @@ static hawser_status entry_add(StepFile *file, long id, const char *name)
     return HAWSER_OK;
 }
 
-/* "#12 = NAME(...);" one after the other between DATA; and ENDSEC; */
+/* Finds the entries "#12 = NAME(...);" between DATA; and ENDSEC; */
 static hawser_status entries_find(StepFile *file)
 {
     const char *c = strstr(file->text, "DATA;");
@@ -143,7 +143,7 @@ void step_close(StepFile *file)
 
 /* ---------------------------------------------------------------------------------------------------------- values */
 
-/* An entity on its way from text to values. */
+/* An entity being parsed. */
 typedef struct Parser {
     const StepFile *file;
     const char *c;
@@ -158,7 +158,7 @@ static void fail(Parser *p, const char *what)
     p->status = input_error(p->file->in, "#%ld: %s", p->out->id, what);
 }
 
-/* A new value's place; -1: no memory. */
+/* Adds a value; returns its place, -1: no memory. */
 static int value_add(Parser *p)
 {
     StepEntity *const e = p->out;
@@ -176,7 +176,7 @@ static int value_add(Parser *p)
     return e->n++;
 }
 
-/* A text between marks, which stand for themselves nowhere inside a word. */
+/* Parses a text between marks, which do not occur inside a word. */
 static void text_parse(Parser *p, StepValue *v, StepKind kind)
 {
     const char *const end = kind == STEP_TEXT ? behind_quotes(p->c) : strchr(p->c + 1, '.');
@@ -191,7 +191,7 @@ static void text_parse(Parser *p, StepValue *v, StepKind kind)
 
 static int list_parse(Parser *p, int depth);
 
-/* TYPE(value): the value alone; of a number or a list the type's name is its text. */
+/* Parses TYPE(value) as the value; for a number or a list the type's name is its text. */
 static int typed_parse(Parser *p, int depth)
 {
     const char *const name = p->c;
@@ -207,14 +207,14 @@ static int typed_parse(Parser *p, int depth)
     return item ? item : list;
 }
 
-/* The value at p->c; its place, or -1. */
+/* Parses the value at p->c; returns its place, or -1. */
 static int value_parse(Parser *p, int depth)
 {
     char *end;
     p->c = blanks(p->c);
     if (isalpha((unsigned char)*p->c)) return typed_parse(p, depth);
     if (*p->c == '(') {
-        if (depth >= NESTING_MOST) return fail(p, "values too deep in one another"), -1;
+        if (depth >= NESTING_MOST) return fail(p, "values nested too deep"), -1;
         return list_parse(p, depth + 1);
     }
     const int place = value_add(p);
@@ -224,7 +224,7 @@ static int value_parse(Parser *p, int depth)
         ++p->c;
     } else if (*p->c == '\'') {
         text_parse(p, v, STEP_TEXT);
-    } else if (*p->c == '"') { /* binary */
+    } else if (*p->c == '"') { /* binary value */
         const char *const stop = strchr(p->c + 1, '"');
         p->c = stop ? stop + 1 : p->c + strlen(p->c);
     } else if (*p->c == '#') {
@@ -242,7 +242,7 @@ static int value_parse(Parser *p, int depth)
     return p->status ? -1 : place;
 }
 
-/* A list, p->c at its bracket; its place, or -1. */
+/* Parses a list, p->c at its bracket; returns its place, or -1. */
 static int list_parse(Parser *p, int depth)
 {
     const int place = value_add(p);
@@ -268,7 +268,7 @@ static int list_parse(Parser *p, int depth)
     return place;
 }
 
-/* Which entry has this number; -1: none. */
+/* Index of the entry with this number; -1: none. */
 static int entry_of(const StepFile *file, long id)
 {
     int low = 0, high = file->n - 1;
@@ -283,7 +283,7 @@ static int entry_of(const StepFile *file, long id)
     return -1;
 }
 
-/* The name at a place, in capitals; what is behind it. */
+/* Reads the name at a place, in capitals; returns what follows. */
 static const char *name_read(const char *c, char *name, size_t size)
 {
     size_t n = 0;
@@ -357,7 +357,7 @@ long step_reference(const StepEntity *e, int i)
     return v->kind == STEP_REFERENCE ? v->reference : 0;
 }
 
-/* One escape at c; where it ends, or NULL if there is none. */
+/* Decodes one escape at c; returns its end, or NULL if there is none. */
 static const char *escape_put(const char *c, const char *end, char *out, size_t *n, size_t size)
 {
     const int wide = end - c > 3 && c[1] == 'X' && (c[2] == '2' || c[2] == '4') && c[3] == '\\' ? (c[2] - '0') * 2 : 0;

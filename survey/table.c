@@ -1,7 +1,7 @@
-/* From text to rows of numbers: separators, heads, units, decimal commas, and what is no row of the table. */
-#define _GNU_SOURCE /* strcasestr */
-/* What stands over a column: its meaning in six languages, its unit, and whether an unknown head resembles one of them.
+/* Converts text to rows of numbers: separators, heads, units, decimal commas, and lines that are not rows of the table.
  */
+#define _GNU_SOURCE /* strcasestr */
+/* Heads of columns: their meaning in six languages, their unit, and whether an unknown head resembles a known one. */
 #include "survey/table.h"
 
 #include <ctype.h>
@@ -15,8 +15,8 @@
 
 #define DEGREE 0.017453292519943295
 
-/* Which words stand over which column: letters and digits alone, in lower case, ae for the German umlaut, e for e with
- * an accent. English, German, French, Spanish, Italian, Chinese. */
+/* Words of heads by column: letters and digits only, in lower case, ae for the German umlaut, e for e with an accent.
+ * English, German, French, Spanish, Italian, Chinese. */
 static const struct {
     TableColumn column;
     const char *names; /* each between blanks */
@@ -80,12 +80,12 @@ static const struct {
     {COLUMN_FALL, " gefaelle laengsgefaelle fall falling descent \xE4\xB8\x8B\xE5\x9D\xA1 "},
 };
 
-/* What a head may have beside its word: "segment length", "coordenada x". */
+/* Words that a head may have in addition: "segment length", "coordenada x". */
 static const char idle_words[] = " segment section piece straight part leg route line point vertex coordinate coord "
                                  "koordinate coordenada coordonnee coordinata of the de del der du la le di design "
                                  "nominal bend curve abschnitt in en ";
 
-/* Columns of other things, although their heads have letters of a route's, or numbers that may go along it. */
+/* Columns unrelated to the route, although their heads have letters of a route's, or numbers that may follow it. */
 static const char unrelated[] =
     " gravitycenterlineheight date datum fecha data time zeit heure hora uhrzeit gpstime timestamp sheet page blatt "
     "seite cost price kosten preis cout prix costo coste precio prezzo no nr num number index count fid oid "
@@ -206,17 +206,17 @@ static const TableUnit units[] = {{"m", 1, UNIT_LENGTH},
                                   {"1 in", 1, UNIT_INVERSE},
                                   {"1:", 1, UNIT_INVERSE}};
 
-/* A letter with an accent as letters of the alphabet, from its two bytes of UTF-8; NULL: none. */
+/* Letters of the alphabet for an accented one, from its two bytes of UTF-8; NULL: none. */
 static const char *latin(unsigned char lead, unsigned char next)
 {
-    /* C3 80 to C3 BF, capitals as small ones */
+    /* C3 80 to C3 BF, capitals as small letters */
     static const char *const of[32] = {"a",  "a",  "a", "a", "ae", "a", "ae", "c", "e",  "e", "e",
                                        "e",  "i",  "i", "i", "i",  "d", "n",  "o", "o",  "o", "o",
                                        "oe", NULL, "o", "u", "u",  "u", "ue", "y", NULL, "ss"};
     return lead == 0xC3 ? of[next & 0x1F] : NULL;
 }
 
-/* Letters and digits in lower case, without accents. */
+/* Reduces a text to letters and digits in lower case, without accents. */
 static void head_letters(const char *text, char letters[TABLE_HEAD_MOST])
 {
     size_t n = 0;
@@ -252,8 +252,8 @@ const TableUnit *unit_find(const char *text, size_t size)
     return NULL;
 }
 
-/* Where a unit stands at the end of a head without brackets, "Length m", "slope_pct", "Grade%", "L\xC3\xA4nge in m",
- * and what is ahead of it; NULL: none. */
+/* Finds a unit at the end of a head without brackets, "Length m", "slope_pct", "Grade%", "L\xC3\xA4nge in m", and the
+ * size of the text before it; NULL: none. */
 static const TableUnit *unit_behind(const char *text, size_t *ahead)
 {
     static const char *const signs[] = {"%", "\xE2\x80\xB0", "\xC2\xB0"};
@@ -272,7 +272,7 @@ static const TableUnit *unit_behind(const char *text, size_t *ahead)
     return unit_find(text + from, size - from);
 }
 
-/* The meaning of letters; TABLE_COLUMNS: none. *which: the row of the list. */
+/* Meaning of letters; TABLE_COLUMNS: none. *which: index in the list. */
 static TableColumn meaning_of(const char *letters, size_t *which)
 {
     for (size_t i = 0; i < sizeof heads / sizeof *heads; ++i) {
@@ -282,7 +282,7 @@ static TableColumn meaning_of(const char *letters, size_t *which)
     return TABLE_COLUMNS;
 }
 
-/* The same of the words that are not idle. */
+/* Meaning of the words that are not additional ones. */
 static TableColumn meaning_of_words(const char *text, size_t *which)
 {
     char kept[TABLE_HEAD_MOST] = "", word[TABLE_HEAD_MOST], letters[TABLE_HEAD_MOST];
@@ -322,7 +322,7 @@ TableHead head_read(const char *text)
         head.meaning = meaning_of(letters, &which);
     }
     if (head.meaning == TABLE_COLUMNS) head.meaning = meaning_of_words(name, &which);
-    /* a German Grad is a degree, a French grade a gon: only German words make it one of them */
+    /* a German Grad is a degree, a French grade a gon: only German words decide */
     if (head.strange && (!strncasecmp(opens + 1, "grad)", 5) || !strncasecmp(opens + 1, "grad]", 5)) &&
         (strstr(letters, "winkel") || strstr(letters, "neigung") || strstr(letters, "steigung") ||
          strstr(letters, "richtung"))) {
@@ -343,7 +343,7 @@ static const char totals[] =
     "longueurtotale totaux suma sumatotal longitudtotal totales totale somma lunghezzatotale "
     "\xE5\x90\x88\xE8\xAE\xA1 \xE6\x80\xBB\xE8\xAE\xA1 \xE6\x80\xBB\xE9\x95\xBF \xE5\xB0\x8F\xE8\xAE\xA1 ";
 
-/* Whether a cell says that its row is a sum. */
+/* Checks whether a cell marks its row as a sum. */
 static int head_is_total(const char *text)
 {
     char letters[TABLE_HEAD_MOST];
@@ -371,7 +371,7 @@ static const double ROW_DEGREE = 0.017453292519943295;
 
 /* ------------------------------------------------------------------------------------------------------------ lines */
 
-/* The file's lines, one behind the other, each with its 0. Cells are split when they are used. */
+/* Lines of the file, one after the other, each with its 0. Cells are split on use. */
 typedef struct Lines {
     char *text;
     size_t size, room;
@@ -380,7 +380,7 @@ typedef struct Lines {
         size_t at;
         long line;
     } * row;
-    int sheet; /* rows of a spreadsheet: cells have a separator of their own */
+    int sheet; /* rows of a spreadsheet: cells have a special separator */
 } Lines;
 
 static int is_utf8(const char *text)
@@ -396,10 +396,10 @@ static int is_utf8(const char *text)
     return 1;
 }
 
-/* Windows-1252 where it has no sign of Latin-1's: per mille and the dashes are all that a table has of them. */
+/* Decodes Windows-1252 where it differs from Latin-1: a table only uses its per mille sign and dashes. */
 static unsigned code_page(unsigned char c) { return c == 0x89 ? 0x2030 : c == 0x96 || c == 0x97 ? '-' : c; }
 
-/* Adds a line as UTF-8; `more`: to the one before, of which a cell in quotes goes on. 0: no memory. */
+/* Adds a line as UTF-8; `more`: to the one before, whose quoted cell continues. Returns 0 without memory. */
 static int line_keep(Lines *lines, const char *text, long line, int more)
 {
     const int whole = is_utf8(text);
@@ -430,7 +430,7 @@ static int line_keep(Lines *lines, const char *text, long line, int more)
     return 1;
 }
 
-/* Whether a quote at the beginning of a cell is still open at the end. */
+/* Checks whether a quote at the beginning of a cell is still open at the end. */
 static int is_open(const char *text)
 {
     int quoted = 0;
@@ -462,8 +462,8 @@ static hawser_status lines_read(SurveyInput *in, Lines *lines)
     return status;
 }
 
-/* Splits a copy of a line where the separator stands outside of quotes, in place; -1: too many cells. Blanks around
- * cells go. */
+/* Splits a copy of a line in place at separators outside quotes, and removes blanks around cells; -1: too many cells.
+ */
 static int split(char *text, char separator, char *cell[CELLS_MOST])
 {
     int n = 0;
@@ -497,11 +497,11 @@ static int split(char *text, char separator, char *cell[CELLS_MOST])
 /* A column of the file. */
 typedef struct Column {
     TableHead head;
-    const char *name;  /* as it stands */
-    double factor;     /* of a cell without a unit of its own */
-    int ignored;       /* the user says that it is not used */
-    int romance;       /* of turns: g, i, d are left, left, right */
-    int numbers, rows; /* of one without a meaning: how many cells are numbers, and how many are not empty */
+    const char *name;  /* as written */
+    double factor;     /* for a cell without its own unit */
+    int ignored;       /* the user excludes it */
+    int romance;       /* for turns: g, i, d are left, left, right */
+    int numbers, rows; /* without a meaning: number of cells that are numbers, and that are not empty */
 } Column;
 
 typedef struct Columns {
@@ -510,7 +510,7 @@ typedef struct Columns {
     int points, commas; /* cells have decimal points, commas: line of the first; 0: none */
     char *text;         /* of the heads */
     Column column[CELLS_MOST];
-    char *work; /* a line that is split */
+    char *work; /* a line being split */
     size_t room;
 } Columns;
 
@@ -527,7 +527,7 @@ static int is_degrees(TableColumn c) { return c == COLUMN_LONGITUDE || c == COLU
 
 static int is_length(TableColumn c) { return c < COLUMN_TYPE && !is_slope(c) && !is_angle(c) && !is_degrees(c); }
 
-/* A copy of row i of the lines, split; the number of cells. Errors: -1 with the reason. */
+/* Splits a copy of row i of the lines; returns the number of cells, -1 on error with the reason. */
 static int row_split(SurveyInput *in, const Lines *lines, int i, char separator, Columns *columns,
                      char *cell[CELLS_MOST])
 {
@@ -546,14 +546,14 @@ static int row_split(SurveyInput *in, const Lines *lines, int i, char separator,
     return n;
 }
 
-/* A number stands at a cell's beginning. */
+/* Checks whether a cell begins with a number. */
 static int begins_number(const char *cell)
 {
     cell += *cell == '-' || *cell == '+';
     return isdigit((unsigned char)*cell) || ((*cell == '.' || *cell == ',') && isdigit((unsigned char)cell[1]));
 }
 
-/* How many of a row's cells are heads of a route; 0 if one is a number. */
+/* Number of a row's cells that are heads of a route; 0 if one is a number. */
 static int heads_count(const SurveyInput *in, int n, char *cell[CELLS_MOST])
 {
     int known = 0, numbers = 0;
@@ -566,8 +566,8 @@ static int heads_count(const SurveyInput *in, int n, char *cell[CELLS_MOST])
     return numbers ? 0 : known;
 }
 
-/* The row of heads: the first that has two of a route, or else one. Its number, with the separator by which it has most
- * of them; 0 heads: none. Errors: -1 with the reason. */
+/* Finds the row of heads: the first with two of a route, or else with one. Returns its index, and sets the separator
+ * with most of them; 0 heads: none. Returns -1 on error with the reason. */
 static int heads_find(SurveyInput *in, const Lines *lines, Columns *columns)
 {
     static const char separators[] = {'\x1F', '\t', ';', ',', '|'};
@@ -579,7 +579,7 @@ static int heads_find(SurveyInput *in, const Lines *lines, Columns *columns)
         int most = 0;
         if (single >= 0 && strpbrk(bare, "0123456789") &&
             !strpbrk(bare, "abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ"))
-            break; /* numbers below it: a table of one column that is known */
+            break; /* numbers below it: a table with one known column */
         char best = ',';
         for (size_t k = 0; k < sizeof separators; ++k) {
             const char *const text = lines->text + lines->row[i].at;
@@ -598,7 +598,7 @@ static int heads_find(SurveyInput *in, const Lines *lines, Columns *columns)
     return single >= 0 ? single : lines->n;
 }
 
-/* Whether the user names this column among those that are not used. */
+/* Checks whether the user excludes this column. */
 static int is_ignored(const SurveyInput *in, const char *name)
 {
     char own[TABLE_HEAD_MOST], other[TABLE_HEAD_MOST], word[TABLE_HEAD_MOST];
@@ -613,7 +613,7 @@ static int is_ignored(const SurveyInput *in, const char *name)
     return 0;
 }
 
-/* A unit that a column of this meaning can have. */
+/* Checks whether a column of this meaning can have that unit. */
 static int is_fit(TableColumn c, const TableUnit *unit)
 {
     if (is_slope(c)) return unit->kind != UNIT_LENGTH || !strcmp(unit->name, "m");
@@ -623,7 +623,7 @@ static int is_fit(TableColumn c, const TableUnit *unit)
     return c >= COLUMN_TYPE || unit->kind == UNIT_LENGTH;
 }
 
-/* The factor where the head names no unit: the file's lengths, angles in degrees; headings are judged later. */
+/* Factor if the head names no unit: the file's lengths, angles in degrees; headings are judged later. */
 static double usual_factor(const SurveyInput *in, TableColumn c)
 {
     return is_length(c) ? in->unit : c == COLUMN_ANGLE ? ROW_DEGREE : 1;
@@ -657,7 +657,7 @@ static hawser_status head_take(SurveyInput *in, Column *column, const char *name
     return HAWSER_OK;
 }
 
-/* Heads that stand above a row of units alone, "m", "deg", have these. */
+/* Checks for a row of units only below the heads, "m", "deg". */
 static int is_unit_row(int n, char *cell[CELLS_MOST])
 {
     int found = 0;
@@ -672,7 +672,7 @@ static int is_unit_row(int n, char *cell[CELLS_MOST])
     return found > 0;
 }
 
-/* A title above the heads that speaks of a unit, where the heads have none: which is meant is not guessed. */
+/* Refuses a title above the heads that mentions a unit, if the heads have none: the unit would be a guess. */
 static hawser_status title_check(SurveyInput *in, const Lines *lines, int head, const Columns *columns)
 {
     int bare = isnan(in->options.unit);
@@ -701,7 +701,7 @@ static hawser_status title_check(SurveyInput *in, const Lines *lines, int head, 
     return HAWSER_OK;
 }
 
-/* The heads, with a row of units below; *next: the first row behind them. */
+/* Reads the heads, with a row of units below; *next: the first row after them. */
 static hawser_status heads_read(SurveyInput *in, const Lines *lines, Columns *columns, Table *table, int *next)
 {
     char *cell[CELLS_MOST], *unit[CELLS_MOST], joined[TABLE_HEAD_MOST];
@@ -721,7 +721,7 @@ static hawser_status heads_read(SurveyInput *in, const Lines *lines, Columns *co
                            "bearing: no head of a route in %s",
                            all);
     }
-    columns->text = columns->work; /* the heads' names stay */
+    columns->text = columns->work; /* the heads' names are kept */
     columns->work = NULL;
     columns->room = 0;
     columns->n = n;
@@ -754,8 +754,8 @@ static hawser_status heads_read(SurveyInput *in, const Lines *lines, Columns *co
 
 /* ------------------------------------------------------------------------------------------------------------ cells */
 
-/* Digits in groups of three, "1,250.5", "1.250,5", "1 250,5", "1'250.5", as plain ones with a point; 0: a comma in a
- * file of commas that may be either. */
+/* Converts digits in groups of three, "1,250.5", "1.250,5", "1 250,5", "1'250.5", to plain ones with a point; returns 0
+ * for a comma in a file of commas that may be either. */
 static int number_plain(char separator, const char *text, char *out, size_t size)
 {
     size_t n = 0, digits = 0;
@@ -800,7 +800,7 @@ static int number_plain(char separator, const char *text, char *out, size_t size
         decimal = commas > 1 ? '.' : ',';
         if (commas == 1 && separator == ',' && three == 3 && behind + three == end) return 0;
     } else if (points > 1) {
-        return snprintf(out, size, "%s", text), 1; /* no number, or thousands: "1.250.000" is refused */
+        return snprintf(out, size, "%s", text), 1; /* not a number, or thousands: "1.250.000" is refused */
     }
     for (c = text; c < end && n + 1 < size; ++c) {
         if (*c == decimal)
@@ -812,7 +812,7 @@ static int number_plain(char separator, const char *text, char *out, size_t size
     return 1;
 }
 
-/* "0+050", "K12+340.5", "12+34" in hundreds of feet: a station's number; 0: it has no plus. */
+/* Reads "0+050", "K12+340.5", "12+34" in hundreds of feet: a station; returns 0 without a plus. */
 static int station_read(const SurveyInput *in, const char *text, double *value)
 {
     char *end, *end2;
@@ -831,7 +831,8 @@ static int station_read(const SurveyInput *in, const char *text, double *value)
     return 1;
 }
 
-/* Degrees with minutes and seconds behind a degree sign or dashes: 45\xC2\xB030'15". *end behind them. 0: none. */
+/* Reads degrees with minutes and seconds after a degree sign or dashes: 45\xC2\xB030'15". *end follows them. Returns 0
+ * if there are none. */
 static int degrees_read(const SurveyInput *in, const char *text, char **end, double *degrees)
 {
     static const char *const minute[] = {"'", "\xE2\x80\xB2", "\xE2\x80\x99", "m"};
@@ -860,7 +861,7 @@ static int degrees_read(const SurveyInput *in, const char *text, char **end, dou
     return *end = at, 1;
 }
 
-/* "N 45 30' E", "S45W": degrees clockwise from north; 0: no quadrant. */
+/* Reads "N 45 30' E", "S45W": degrees clockwise from north; returns 0 if it is not a quadrant. */
 static int quadrant_read(const SurveyInput *in, const char *text, double *bearing)
 {
     char *end;
@@ -877,7 +878,7 @@ static int quadrant_read(const SurveyInput *in, const char *text, double *bearin
     return 1;
 }
 
-/* The word that stands for a straight where a radius is asked for. */
+/* Checks for a word for a straight in place of a radius. */
 static int is_infinite(const char *text)
 {
     static const char *const words[] = {"inf", "infinity", "infinite", "\xE2\x88\x9E"};
@@ -888,7 +889,7 @@ static int is_infinite(const char *text)
     return 0;
 }
 
-/* "1:50", "1 in 50", "1/50" of a slope; 0: none. */
+/* Reads "1:50", "1 in 50", "1/50" for a slope; returns 0 if there is none. */
 static int ratio_read(const SurveyInput *in, const char *text, double *value)
 {
     char *end;
@@ -901,7 +902,7 @@ static int ratio_read(const SurveyInput *in, const char *text, double *value)
     return 1;
 }
 
-/* What a slope of a column is as dz/ds. */
+/* Converts a slope of a column to dz/ds. */
 static hawser_status slope_take(SurveyInput *in, const Column *column, const TableUnit *unit, const char *text,
                                 double number, double *value)
 {
@@ -920,7 +921,7 @@ static hawser_status slope_take(SurveyInput *in, const Column *column, const Tab
         text, column->name, atan(number) / ROW_DEGREE, column->name);
 }
 
-/* A number with what may stand behind it: its unit, or the side of an angle. */
+/* Reads a number with its suffix: its unit, or the side of an angle. */
 static hawser_status number_take(SurveyInput *in, const Columns *columns, const Column *column, const char *text,
                                  Table *table, TableRow *row)
 {
@@ -943,7 +944,7 @@ static hawser_status number_take(SurveyInput *in, const Columns *columns, const 
     if ((*end && !unit && side == TURN_NONE) || (unit && *end && !is_fit(c, unit)))
         return input_error(in, "'%.40s' is no number", text);
     if (side != TURN_NONE) row->turn = side;
-    if (c == COLUMN_HEADING && unit && !column->head.unit) { /* from the first row on, or they are mixed */
+    if (c == COLUMN_HEADING && unit && !column->head.unit) { /* from the first row on, else they are mixed */
         if (table->n > 1 && !table->angles) return input_error(in, "'%.40s': an angle with a unit among others", text);
         table->angles = 1;
     }
@@ -993,7 +994,7 @@ static hawser_status cell_read(SurveyInput *in, const Columns *columns, const Co
 
 /* ------------------------------------------------------------------------------------------------------------- rows */
 
-/* The text of a column's cell; "" if the row has none. */
+/* Text of a column's cell; "" if the row has none. */
 static const char *cell_text_of(const Columns *columns, TableColumn c, int n, char *cell[CELLS_MOST])
 {
     for (int i = 0; i < n && i < columns->n; ++i) {
@@ -1002,7 +1003,7 @@ static const char *cell_text_of(const Columns *columns, TableColumn c, int n, ch
     return "";
 }
 
-/* What the row calls itself: the last of the cells that may be a name, if it is more than a number. */
+/* Name of a row: the last of the cells that may be a name, if it is not only a number. */
 static const char *name_of(const Columns *columns, int n, char *cell[CELLS_MOST])
 {
     const char *name = "";
@@ -1014,7 +1015,7 @@ static const char *name_of(const Columns *columns, int n, char *cell[CELLS_MOST]
     return name;
 }
 
-/* A row as a mark on the layer that it names, by x and y, its station, or both. */
+/* Adds a row as a mark on its layer, by x and y, its station, or both. */
 static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Table *table, int n,
                               char *cell[CELLS_MOST], const TableRow *row)
 {
@@ -1034,11 +1035,11 @@ static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Tab
     return HAWSER_OK;
 }
 
-/* What a row is. */
+/* Kind of a row. */
 typedef enum RowKind { ROW_TABLE, ROW_NOTE, ROW_HEADS, ROW_TOTAL } RowKind;
 
-/* A row of the table has a number, or a side, in a column of the route's; one that repeats the heads is none, and one
- * that calls itself a total is a sum. */
+/* Finds the kind. A row of the table has a number, or a side, in a column of the route's; one that repeats the heads is
+ * none, and one marked as a total is a sum. */
 static RowKind row_kind(const SurveyInput *in, const Columns *columns, int n, char *cell[CELLS_MOST])
 {
     int numbers = 0, same = 0, texts = 0, total = 0, known = 0;
@@ -1060,7 +1061,7 @@ static RowKind row_kind(const SurveyInput *in, const Columns *columns, int n, ch
     return known > 1 ? ROW_HEADS : ROW_NOTE;
 }
 
-/* The number of a row of totals in the column of lengths. */
+/* Takes the number of a row of totals in the column of lengths. */
 static void total_take(SurveyInput *in, const Columns *columns, int n, char *cell[CELLS_MOST], Table *table)
 {
     TableRow row = {.line = in->line};
@@ -1086,7 +1087,7 @@ static void note_say(SurveyInput *in, const char *what, int n, char *cell[CELLS_
     survey_ignore(in->out, text);
 }
 
-/* Points and commas as decimals in one file are thousands in one of them. */
+/* Refuses a file with both points and commas as decimals: one of them must separate thousands. */
 static hawser_status decimals_check(SurveyInput *in, Columns *columns, const char *text)
 {
     const char *const comma = strchr(text, ','), *const point = strchr(text, '.');
@@ -1122,19 +1123,19 @@ static hawser_status row_read(SurveyInput *in, Columns *columns, int n, char *ce
     return status;
 }
 
-/* ---------------------------------------------------------------------------------------------- columns without use */
+/* ---------------------------------------------------------------------------------------------- unused columns */
 
-/* What is known of a column without a meaning, beside the route: numbers that go along it are of the route. */
+/* Comparison of a column without a meaning with the route: numbers that follow the route belong to it. */
 typedef struct Follower {
     int n, whole;            /* numbers; all are integers */
-    double last, sum, worst; /* the last, of what is laid, the largest step over the way between */
+    double last, sum, worst; /* the last, of the route so far, the largest step over the distance between */
     double first;
-    int rises, steps; /* all rise; how many steps */
+    int rises, steps; /* all rise; number of steps */
     double way;       /* m between the first and the last row, by x and y or lengths */
-    double off;       /* the largest difference from the way so far, m */
+    double off;       /* largest difference from the distance so far, m */
 } Follower;
 
-/* The way from row i - 1 to row i, m; NAN: the table does not say it. */
+/* Distance from row i - 1 to row i, m; NAN: the table does not give it. */
 static double way_between(const Table *t, int i)
 {
     const double *const v = t->row[i].value, *const was = t->row[i - 1].value;
@@ -1142,8 +1143,8 @@ static double way_between(const Table *t, int i)
     return t->has[COLUMN_LENGTH] ? was[COLUMN_LENGTH] : NAN;
 }
 
-/* Numbers of a column without a meaning that are the way along the route, or change little from point to point as a
- * height does. */
+/* Checks whether a column without a meaning contains the distance along the route, or changes little from point to
+ * point as a height does. */
 static int follows(const Table *t, const Follower *f)
 {
     const int all = f->n == t->n && f->n >= 3;
@@ -1167,7 +1168,8 @@ static void follow(const Table *t, int i, double value, Follower *f)
     f->n++;
 }
 
-/* Columns without a meaning: refused where they look like a part of the route, else said to be unused. */
+/* Handles columns without a meaning: refuses those that look like a part of the route, and reports the others as
+ * unused. */
 static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *columns, const Table *table, int from,
                                  const char *is_row)
 {
@@ -1213,7 +1215,7 @@ static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *c
     return status;
 }
 
-/* Names to ignore are those of columns. */
+/* Checks that names to ignore are names of columns. */
 static hawser_status ignore_check(SurveyInput *in, const Columns *columns)
 {
     char word[TABLE_HEAD_MOST], own[TABLE_HEAD_MOST], other[TABLE_HEAD_MOST];
@@ -1233,8 +1235,8 @@ static hawser_status ignore_check(SurveyInput *in, const Columns *columns)
     return HAWSER_OK;
 }
 
-/* Heads that say which way a column counts only by its cells: a direction of words is a turn; single letters of
- * Romance languages are left and right. */
+/* Settles heads whose cells decide their meaning: a direction given by words is a turn; single letters of Romance
+ * languages are left and right. */
 static hawser_status words_settle(SurveyInput *in, const Lines *lines, Columns *columns, Table *table, int from)
 {
     char *cell[CELLS_MOST];
@@ -1295,7 +1297,8 @@ hawser_status table_rows(SurveyInput *in, Table *table)
     char *is_row = NULL;
     hawser_status status = columns ? lines_read(in, &lines) : error_memory(in->err);
     table->total = NAN;
-    if (!status && lines.n && !lines.sheet && !strncmp(lines.text, "sep=", 4)) { /* a spreadsheet's word to itself */
+    if (!status && lines.n && !lines.sheet &&
+        !strncmp(lines.text, "sep=", 4)) { /* the separator line of a spreadsheet program */
         memmove(lines.row, lines.row + 1, (size_t)--lines.n * sizeof *lines.row);
     }
     if (!status) status = heads_read(in, &lines, columns, table, &from);

@@ -1,10 +1,10 @@
-/* Tables of a route: text or a sheet with names over the columns. docs/formats.md has the names. */
+/* Tables of a route: text or a sheet with names above the columns. docs/routes.md lists the names. */
 #ifndef HAWSER_SURVEY_TABLE_H
 #define HAWSER_SURVEY_TABLE_H
 
 #include "survey/input.h"
 
-/* What a column means. */
+/* Meaning of a column. */
 typedef enum TableColumn {
     COLUMN_X,
     COLUMN_Y,
@@ -26,21 +26,21 @@ typedef enum TableColumn {
     COLUMN_TYPE,
     COLUMN_TURN,
     COLUMN_NAME,
-    COLUMN_LAYER, /* words */
-    COLUMN_CANT,  /* across the line: no part of a route */
-    COLUMN_FALL,  /* a slope of which it is not known which way is positive */
+    COLUMN_LAYER, /* texts */
+    COLUMN_CANT,  /* across the line: not part of a route */
+    COLUMN_FALL,  /* a slope whose sign convention is unknown */
     TABLE_COLUMNS
 } TableColumn;
 
 typedef enum TableTurn { TURN_NONE, TURN_LEFT, TURN_RIGHT, TURN_UP, TURN_DOWN } TableTurn;
 
-/* A row; NAN: the cell is empty or there is no such column. SI; angles in rad, but headings without a unit as they
- * stand. */
+/* A row; NAN: the cell is empty or there is no such column. SI; angles in rad, but headings without a unit as written.
+ */
 typedef struct TableRow {
     double value[COLUMN_TYPE];
     TableTurn turn;
-    int straight; /* the type's word says so */
-    int name;     /* of the table's names; 0: none */
+    int straight; /* by the type's word */
+    int name;     /* index into the table's names; 0: none */
     long line;
 } TableRow;
 
@@ -54,15 +54,16 @@ typedef struct Table {
     TableRow *row;
     PieceNames names;
     double total;    /* m, of a row of totals; NAN: none */
-    long total_line; /* of it */
+    long total_line; /* line of that row */
 } Table;
 
 /* Reads the rows. Titles above the heads, blank lines, lines that begin with # and rows without numbers do not count;
- * what is not used is said. Errors: INPUT with line and column, MEMORY. Free rows and names in any case. */
+ * unused columns are reported. Rows and names must be freed in any case. Errors: INPUT with line and column, MEMORY. */
 hawser_status table_rows(SurveyInput *in, Table *table);
-/* Makes alignments of them, by what columns there are; they take the names. Errors: INPUT with the reason, MEMORY. */
+/* Makes alignments of the rows, by the columns present; they take over the names. Errors: INPUT with the reason,
+ * MEMORY. */
 hawser_status table_alignment(SurveyInput *in, Table *table);
-/* ---- words of heads and cells (heads.c) */
+/* ---- words of heads and cells */
 
 enum { TABLE_HEAD_MOST = 120 };
 
@@ -74,18 +75,18 @@ typedef struct TableUnit {
     TableUnitKind kind;
 } TableUnit;
 
-/* The unit of that name, of so many bytes; NULL: none. */
+/* Finds the unit with that name of `size` bytes; NULL: none. */
 const TableUnit *unit_find(const char *text, size_t size);
 typedef struct TableHead {
     TableColumn meaning;   /* TABLE_COLUMNS: none */
     const TableUnit *unit; /* NULL: none */
-    int strange;           /* it has one that is not known */
+    int strange;           /* it has an unknown unit */
     int plan, north;       /* of lengths: in plan; of headings: clockwise from north */
-    int resembles;         /* without a meaning, it is like one that has */
-    int unrelated;         /* without a meaning, it is known to be of other things */
+    int resembles;         /* without a meaning, but similar to one that has one */
+    int unrelated;         /* without a meaning, known to be unrelated to the route */
 } TableHead;
 
-/* What stands over a column, UTF-8. */
+/* Interprets the head of a column, UTF-8. */
 TableHead head_read(const char *text);
 /* The side that a word means. */
 TableTurn head_turn(const char *text);

@@ -1,4 +1,4 @@
-/* From rows to alignments: which columns there are says what the table is. */
+/* Makes alignments of rows: the columns present determine the kind of table. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,18 +11,19 @@
 
 /* ----------------------------------------------------------------------------------------------------- stations */
 
-/* Stations that are to be found again are the way from the first row on, m, in plan or in space, within a hundredth. */
+/* Checks that stations which may be referred to equal the distance from the first row, m, in plan or in space, within a
+ * hundredth. */
 static hawser_status way_check(const SurveyInput *in, const Table *t, int i, double plan, double space)
 {
     const double slack = 0.01, least = 1, on = t->row[i].value[COLUMN_STATION] - t->row[0].value[COLUMN_STATION];
     if (isnan(on) || (on >= plan * (1 - slack) - least && on <= space * (1 + slack) + least)) return HAWSER_OK;
     return input_error(in,
-                       "station %.10g m is %.10g m from the first one, and the way to it is %.10g m: expected stations "
-                       "that are the way, or none",
+                       "station %.10g m is %.10g m from the first one, and the distance along the route is %.10g m: "
+                       "expected equal ones, or no stations",
                        t->row[i].value[COLUMN_STATION], on, plan);
 }
 
-/* Those that were measured along a slope are told apart from the way in plan, by which parts of a line are taken. */
+/* Reports stations measured along a slope, as opposed to those in plan, by which parts of a line are selected. */
 static void slope_say(SurveyInput *in, const Table *t, double plan)
 {
     const double on = t->row[t->n - 1].value[COLUMN_STATION] - t->row[0].value[COLUMN_STATION];
@@ -32,21 +33,21 @@ static void slope_say(SurveyInput *in, const Table *t, double plan)
 
 /* ------------------------------------------------------------------------------------------- elements in plan */
 
-/* How a table may write headings: against x or against north, in which unit; and which side a positive radius is on. */
+/* Convention of a table's headings: against x or against north, their unit; and the side of a positive radius. */
 typedef struct Convention {
-    double unit; /* 0: they are not to be believed, or there are none: the way to the next row's point tells them */
+    double unit; /* 0: they are unreliable or missing: the next row's point determines them */
     int bearing; /* clockwise from north */
     int side;    /* +1: positive is left */
 } Convention;
 
-/* A word for the side counts more than the radius' sign. */
+/* Curvature of a row; a word for the side takes precedence over the radius' sign. */
 static double curvature(double radius, const TableRow *row, int side)
 {
     if (isnan(radius) || radius == 0 || row->straight) return 0;
     return row->turn == TURN_NONE ? side / radius : (row->turn == TURN_RIGHT ? -1 : 1) / fabs(radius);
 }
 
-/* A row's element, heading for `heading`. */
+/* Element of a row with the given heading. */
 static PlanElement element_of(const TableRow *row, Convention c, double heading)
 {
     const double *const v = row->value, one = v[COLUMN_RADIUS];
@@ -59,7 +60,7 @@ static PlanElement element_of(const TableRow *row, Convention c, double heading)
                          .k1 = curvature(to, row, c.side)};
 }
 
-/* Row i's element; before: the one before it, which tells the heading of a last one. */
+/* Element of row i; before: the previous one, which determines the heading of a last one. */
 static PlanElement element_by(const Table *t, int i, Convention c, const PlanElement *before)
 {
     const double stated = c.unit * t->row[i].value[COLUMN_HEADING];
@@ -74,7 +75,7 @@ static PlanElement element_by(const Table *t, int i, Convention c, const PlanEle
     return e;
 }
 
-/* By how far elements miss the beginnings of the next ones, m, and a metre's worth of their jumps in heading. */
+/* Distances of elements' ends from the next ones' starts, m, plus the jumps in heading, rad. */
 static double misfit(const Table *t, Convention c)
 {
     double sum = 0;
@@ -87,7 +88,7 @@ static double misfit(const Table *t, Convention c)
     return sum;
 }
 
-/* The convention by which the elements meet best; headings count as wrong where they are ten times worse than none. */
+/* Finds the convention with the smallest misfit; headings count as wrong if they are ten times worse than none. */
 static Convention convention_find(SurveyInput *in, const Table *t)
 {
     static const double unit[] = {0, 1, TURN / 360, TURN / 400};
@@ -111,7 +112,7 @@ static Convention convention_find(SurveyInput *in, const Table *t)
     return best;
 }
 
-/* Heights that lead on: where element `before` ends, m, the next one begins, z. */
+/* Checks that heights are continuous: element `before` ends where the next one begins, z, m. */
 static hawser_status rise_check(const SurveyInput *in, const ProfileElement *before, double z)
 {
     const double jump = 0.1, end = profile_at(before, before->length).z;
@@ -120,7 +121,7 @@ static hawser_status rise_check(const SurveyInput *in, const ProfileElement *bef
         in, "the element before ends at a height of %.3f m by its gradients, and this one begins at %.3f m", end, z);
 }
 
-/* The profile over row i, which begins `station` m from the first one: z with the gradients at both ends. */
+/* Adds the profile over row i, which begins `station` m from the first one: z with the gradients at both ends. */
 static hawser_status rise_add(SurveyInput *in, const TableRow *row, double station, Alignment *a)
 {
     const double *const v = row->value, from = v[COLUMN_GRADE], radius = v[COLUMN_VERTICAL_RADIUS];
@@ -145,8 +146,8 @@ static hawser_status rise_add(SurveyInput *in, const TableRow *row, double stati
     return HAWSER_OK;
 }
 
-/* A row that is no element: without place or length, with heights that no gradient leads to, or too long or short for
- * the way to the next one's place. */
+/* Refuses a row that is not an element: without place or length, with heights that do not match the gradients, or whose
+ * length does not match the distance to the next one's place. */
 static hawser_status element_check(SurveyInput *in, const Table *t, int i)
 {
     const int heights = t->has[COLUMN_Z] && t->has[COLUMN_GRADE];
@@ -180,7 +181,7 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
                            t->has[COLUMN_RADIUS_START] ? "start" : "end", t->has[COLUMN_RADIUS_END] ? "start" : "end");
     for (int i = 0; i < t->n && !status; ++i) status = element_check(in, t, i);
     if (!status && t->n == 1 && isnan(t->row[0].value[COLUMN_HEADING]))
-        return input_error(in, "an element alone needs its direction: there is no next one that tells it");
+        return input_error(in, "a single element needs its direction: no next one determines it");
     if (status) return status;
     const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {
@@ -202,15 +203,15 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ---------------------------------------------------------------------------------------------------- profiles */
 
-/* The gradient with which the row behind row i begins; NAN: it says none. */
+/* Gradient with which the row after row i begins; NAN: not given. */
 static double next_grade(const Table *t, int i)
 {
     const double *const v = i + 1 < t->n ? t->row[i + 1].value : NULL;
     return v ? v[t->has[COLUMN_GRADE] ? COLUMN_GRADE : COLUMN_SLOPE] : NAN;
 }
 
-/* What a row leaves out: the first one begins at 0, a slope is a gradient, a grade leads to the next height; one with a
- * radius ends with the gradient of the next. */
+/* Fills values that a row leaves out: the first one begins at 0, a slope is a gradient, a grade leads to the next
+ * height; one with a radius ends with the gradient of the next. */
 static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
 {
     const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
@@ -224,7 +225,7 @@ static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
     if (isnan(v[COLUMN_GRADE_END])) v[COLUMN_GRADE_END] = v[COLUMN_GRADE];
 }
 
-/* Row by row. A table may leave out a length or get it wrong: the next station says it. */
+/* Makes a profile row by row. A length may be missing or wrong in a table: the next station determines it. */
 static hawser_status profile_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     double v[COLUMN_TYPE], first = 0;
@@ -262,7 +263,7 @@ static hawser_status profile_make(SurveyInput *in, const Table *t, Alignment *a)
     return HAWSER_OK;
 }
 
-/* Corner by corner, with or without curves. */
+/* Makes a profile from its corners, with or without curves. */
 static hawser_status corners_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     ProfileCorner *const corner = calloc((size_t)t->n, sizeof *corner);
@@ -293,8 +294,8 @@ static hawser_status corners_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ------------------------------------------------------------------------------------------------------ pieces */
 
-/* Stations of points rise about as far as the points are apart: what jumps, as stations that begin anew do, is on no
- * line that could be told by them. */
+/* Checks that stations of points rise by about their distance: a jump, such as stations that restart, would make them
+ * ambiguous. */
 static hawser_status station_check(const SurveyInput *in, const Table *t, int i)
 {
     const double *const v = t->row[i].value, *const was = t->row[i > 0 ? i - 1 : 0].value;
@@ -329,11 +330,11 @@ static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
     return HAWSER_OK;
 }
 
-/* What has been laid so far, piece by piece. */
+/* State after the pieces so far. */
 typedef struct Laying {
     double plan, z, slope;   /* m in plan, height, angle */
     double space;            /* m in space */
-    double station, then[2]; /* m: the last that a row had, and what was laid by then, in plan and in space */
+    double station, then[2]; /* m: the last station of a row, and the length up to there, in plan and in space */
 } Laying;
 
 static int lay_profile(Alignment *a, Laying *at, double plan, double bend)
@@ -355,8 +356,8 @@ static int lay_plan(Alignment *a, double plan, double k, int name)
     return e != NULL;
 }
 
-/* A station, where a row has one, is as far from the one before as what lies between is long, in plan or in space: a
- * row that is missing shows by it. */
+/* Checks that a row's station differs from the last one by the length of the pieces between, in plan or in space: this
+ * reveals a missing row. */
 static hawser_status piece_station(const SurveyInput *in, double station, Laying *at)
 {
     if (isnan(station)) return HAWSER_OK;
@@ -372,7 +373,8 @@ static hawser_status piece_station(const SurveyInput *in, double station, Laying
     return HAWSER_OK;
 }
 
-/* A straight has a length; a bend an angle, a radius and a side, in plan at the slope there is, or up or down. */
+/* Adds a piece. A straight has a length; a bend an angle, a radius and a side, in plan at the present slope, or up or
+ * down. */
 static hawser_status piece_lay(SurveyInput *in, const TableRow *row, int in_plan, Alignment *a, Laying *at)
 {
     const double *const v = row->value;
@@ -409,7 +411,8 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, int in_plan
     return lay_plan(a, plan, k, row->name) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
 }
 
-/* A last row whose length is that of all above it is a sum that does not say so, unless it has a name of its own. */
+/* Refuses a last row whose length is the sum of all above it and that is not marked as a total, unless it has its own
+ * name. */
 static hawser_status sum_check(const SurveyInput *in, const Table *t, const Laying *at)
 {
     const TableRow *const last = &t->row[t->n - 1];
@@ -430,7 +433,7 @@ static hawser_status sum_check(const SurveyInput *in, const Table *t, const Layi
                        length);
 }
 
-/* What the row of totals says, in plan or in space, with or without the bends. */
+/* Checks the row of totals, in plan or in space, with or without the bends. */
 static hawser_status total_check(SurveyInput *in, const Table *t, const Laying *at)
 {
     double lengths = 0;
@@ -466,7 +469,7 @@ static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ----------------------------------------------------------------------------------------------------- corners */
 
-/* A line of corners as elements if all have what they need, or as points whose corners get a radius elsewhere. */
+/* Makes a line of corners: elements if all corners are complete, or points whose radius is given elsewhere. */
 static hawser_status corners_lay(SurveyInput *in, int n, const PlanCorner *corner, int heights, int radii, Alignment *a)
 {
     hawser_error why = {.message = ""};
@@ -485,7 +488,7 @@ static hawser_status corners_lay(SurveyInput *in, int n, const PlanCorner *corne
     return status ? input_error(in, "%s", why.message) : HAWSER_OK;
 }
 
-/* x, y and the radius of each corner. */
+/* Makes corners from x, y and radius. */
 static hawser_status corner_list_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     PlanCorner *const corner = calloc((size_t)t->n, sizeof *corner);
@@ -506,8 +509,8 @@ static hawser_status corner_list_make(SurveyInput *in, const Table *t, Alignment
     return status;
 }
 
-/* Which row a traverse's radius belongs to: 0 the corner at its leg's end, -1 the one at its start; NAN where it cannot
- * be told. All alike: either. */
+/* Finds the corner that a traverse's radius belongs to: 0 at its leg's end, -1 at its start; an error if that is
+ * ambiguous. Equal radii: either. */
 static hawser_status radii_side(SurveyInput *in, const Table *t, int *side)
 {
     const double *const first = t->row[0].value, *const last = t->row[t->n - 1].value;
@@ -515,13 +518,12 @@ static hawser_status radii_side(SurveyInput *in, const Table *t, int *side)
     for (int i = 1; i < t->n; ++i) differ |= !(t->row[i].value[COLUMN_RADIUS] == first[COLUMN_RADIUS]);
     *side = !(last[COLUMN_RADIUS] > 0) ? 0 : !(first[COLUMN_RADIUS] > 0) ? -1 : 0;
     if (differ && first[COLUMN_RADIUS] > 0 && last[COLUMN_RADIUS] > 0)
-        return input_error(in,
-                           "radii of corners between legs: leave out that of the last leg where they are of its end, "
-                           "of the first where they are of its start");
+        return input_error(in, "radii at the start or at the end of legs: leave out that of the last leg if they are "
+                               "at the ends, of the first if at the starts");
     return HAWSER_OK;
 }
 
-/* Legs with a length and a bearing, from 0, 0 on. */
+/* Makes a traverse of legs with length and bearing, beginning at 0, 0. */
 static hawser_status traverse_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     PlanCorner *const corner = calloc((size_t)t->n + 1, sizeof *corner);
@@ -564,7 +566,7 @@ static hawser_status traverse_make(SurveyInput *in, const Table *t, Alignment *a
 
 /* -------------------------------------------------------------------------------------------------------- kinds */
 
-/* Which columns a kind of table has a use for, a bit each. */
+/* Columns that a kind of table uses, as bits. */
 #define USES(c) (1u << COLUMN_##c)
 static const unsigned of_points = USES(X) | USES(Y) | USES(Z) | USES(STATION);
 static const unsigned of_corners = USES(X) | USES(Y) | USES(Z) | USES(STATION) | USES(RADIUS);
@@ -577,8 +579,7 @@ static const unsigned of_rises =
     USES(Z) | USES(LENGTH) | USES(RADIUS) | USES(SLOPE) | USES(STATION) | USES(GRADE) | USES(GRADE_END);
 static const unsigned of_summits = USES(Z) | USES(RADIUS) | USES(STATION) | USES(CURVE_LENGTH);
 
-/* A column of numbers of which a table of this kind has no use is no part of this route: refused, but for empty ones
- * and those of noughts. */
+/* Refuses columns of numbers that this kind of table does not use, except empty ones and those of zeros. */
 static hawser_status unused_check(SurveyInput *in, const Table *t, const char *kind, unsigned used)
 {
     static const char *const names[] = {"x",
@@ -604,10 +605,9 @@ static hawser_status unused_check(SurveyInput *in, const Table *t, const char *k
         for (int i = 0; i < t->n; ++i) {
             if (!(fabs(t->row[i].value[c]) > 0)) continue;
             in->line = t->row[i].line;
-            return input_error(in,
-                               "a column '%s' in a table of %s, which has no use for it: take the column out, or name "
-                               "it in 'ignore'",
-                               names[c], kind);
+            return input_error(
+                in, "a column '%s' in a table of %s, which does not use it: remove the column, or name it in 'ignore'",
+                names[c], kind);
         }
         snprintf(what, sizeof what, "column '%s' of a table of %s", names[c], kind);
         survey_ignore(in->out, what);
@@ -615,7 +615,7 @@ static hawser_status unused_check(SurveyInput *in, const Table *t, const char *k
     return HAWSER_OK;
 }
 
-/* Whether a column has a number other than 0 in any row. */
+/* Checks for a number other than 0 in a column. */
 static int has_any(const Table *t, TableColumn c)
 {
     for (int i = 0; t->has[c] && i < t->n; ++i) {
@@ -624,7 +624,7 @@ static int has_any(const Table *t, TableColumn c)
     return 0;
 }
 
-/* Longitude and latitude, by the heads, become metres east and north of the first row. */
+/* Converts longitude and latitude, by the heads, to metres east and north of the first row. */
 static hawser_status places_project(SurveyInput *in, Table *t)
 {
     MapPlaces places = {.in = in};
@@ -651,7 +651,7 @@ static hawser_status places_project(SurveyInput *in, Table *t)
     return status;
 }
 
-/* x and y that can hardly be metres: a line of less than two of them, with numbers of a map's size. */
+/* Refuses x and y that can hardly be metres: a line of less than two of them, with numbers in the range of degrees. */
 static hawser_status degrees_check(SurveyInput *in, const Table *t)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -667,12 +667,12 @@ static hawser_status degrees_check(SurveyInput *in, const Table *t)
     if (t->n < 2 || most > 180 || extent > 2 || most < 3 * extent) return HAWSER_OK;
     in->line = 0;
     return input_error(in,
-                       "x and y lie within %.3g of each other: degrees? Heads 'longitude' and 'latitude' say so (WGS "
-                       "84); metres are said by their unit, 'x (m)'",
+                       "x and y lie within %.3g of each other: degrees? Then name the columns 'longitude' and "
+                       "'latitude' (WGS 84); for metres give the unit, 'x (m)'",
                        extent);
 }
 
-/* Distances from the start with a height each are a profile over stations. */
+/* Turns distances from the start with heights into a profile over stations. */
 static hawser_status distances_as_stations(SurveyInput *in, Table *t)
 {
     for (int i = 0; i < t->n; ++i) {
@@ -689,7 +689,7 @@ static hawser_status distances_as_stations(SurveyInput *in, Table *t)
     return HAWSER_OK;
 }
 
-/* Columns that mean the same in this kind of table. */
+/* Merges columns with the same meaning in this kind of table. */
 static hawser_status columns_settle(SurveyInput *in, Table *t)
 {
     int *const has = t->has;
@@ -702,7 +702,8 @@ static hawser_status columns_settle(SurveyInput *in, Table *t)
         !has[COLUMN_STATION] && !has[COLUMN_TURN])
         status = distances_as_stations(in, t);
     const int profile = has[COLUMN_STATION] && has[COLUMN_Z];
-    if (!plan && !profile && has[COLUMN_GRADE] && !has[COLUMN_SLOPE] && !has[COLUMN_GRADE_END]) { /* of pieces */
+    if (!plan && !profile && has[COLUMN_GRADE] && !has[COLUMN_SLOPE] &&
+        !has[COLUMN_GRADE_END]) { /* a table of pieces */
         for (int i = 0; i < t->n; ++i) t->row[i].value[COLUMN_SLOPE] = t->row[i].value[COLUMN_GRADE];
         has[COLUMN_SLOPE] = 1;
         has[COLUMN_GRADE] = 0;
@@ -748,7 +749,7 @@ hawser_status table_alignment(SurveyInput *in, Table *t)
             "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, radius; "
             "x, y, direction, length, radius; distance, bearing, radius; station, height and gradient or "
             "curve length%s",
-            has[COLUMN_CANT] ? ": cant says nothing of a line" : "");
+            has[COLUMN_CANT] ? ": cant does not define a line" : "");
     status = unused_check(in, t, kind, used);
     return status ? status : make(in, t, a);
 }

@@ -19,7 +19,7 @@ static int stretch_add(WrittenStretches *out, Stretch item)
     return added != NULL;
 }
 
-/* The profile from s on, beyond its ends on its first and last grade. */
+/* The profile's element from s on, extended by its first and last grade beyond its ends. */
 static ProfileElement profile_from(const Alignment *a, int j, double s)
 {
     if (a->n_profile == 0) return (ProfileElement){.station = s};
@@ -32,7 +32,7 @@ static ProfileElement profile_from(const Alignment *a, int j, double s)
     return from;
 }
 
-/* Where the profile changes next behind s; j: its element there. */
+/* Next station after s where the profile changes; j: its element there. */
 static double profile_next(const Alignment *a, int *j, double s)
 {
     const double near = 1e-9;
@@ -45,7 +45,7 @@ static double profile_next(const Alignment *a, int *j, double s)
     return *j + 1 < a->n_profile ? e[1].station : INFINITY;
 }
 
-/* Element i in plan; of a line of points the straight to the next one. */
+/* Element i in plan; for a line of points the straight to the next one. */
 static PlanElement plan_element(const Alignment *a, int i)
 {
     if (a->n_plan) return a->plan[i];
@@ -56,7 +56,7 @@ static PlanElement plan_element(const Alignment *a, int i)
                          .length = hypot(p[1].x - p->x, p[1].y - p->y)};
 }
 
-/* Cuts a line of elements, or of points with a profile. Free the items. Errors: MEMORY. */
+/* Cuts a line of elements, or of points with a profile. The items must be freed. Errors: MEMORY. */
 static hawser_status stretches_make(const Alignment *a, WrittenStretches *out, hawser_error *err)
 {
     const int n = a->n_plan ? a->n_plan : a->n_points - 1;
@@ -81,7 +81,7 @@ static hawser_status stretches_make(const Alignment *a, WrittenStretches *out, h
     return HAWSER_OK;
 }
 
-/* Into how many parts, of which chords are not off by more than chord_off. */
+/* Number of parts whose chords are off by at most chord_off. */
 static int parts_of(const Stretch *s)
 {
     const double steep = fmin(fabs(s->profile.grade), 10), k = fmax(fabs(s->plan.k0), fabs(s->plan.k1));
@@ -89,8 +89,8 @@ static int parts_of(const Stretch *s)
     return (int)fmin(1 + s->plan.length * sqrt((k + bend) / (8 * chord_off)), 1e7);
 }
 
-/* Its corners: its points, or places along its elements whose chords are 0.05 mm off at most. Free them. Errors:
- * MEMORY, INPUT (more than 20 million). */
+/* Computes the corners of a line: its points, or places along its elements whose chords are at most 0.05 mm off. They
+ * must be freed. Errors: MEMORY, INPUT (more than 20 million). */
 static hawser_status vertices_make(const Alignment *a, int *n, Vec3 **vertex, hawser_error *err)
 {
     WrittenStretches s = {0, NULL};
@@ -119,7 +119,7 @@ static hawser_status vertices_make(const Alignment *a, int *n, Vec3 **vertex, ha
 
 /* Section `route` of a case: plan and corners of the profile (docs/case-format.md). */
 
-/* Radii beyond which a clothoid's end is straight, m. */
+/* Radius beyond which a clothoid's end counts as straight, m. */
 static const double straight_radius = 1e6;
 
 static void radius_print(FILE *to, const char *key, double curvature)
@@ -127,7 +127,7 @@ static void radius_print(FILE *to, const char *key, double curvature)
     if (curvature != 0) fprintf(to, ", %s: %.12g m", key, 1 / fabs(curvature));
 }
 
-/* In quotes of YAML. */
+/* Writes a name in YAML quotes. */
 static void name_print(const char *name, FILE *to)
 {
     if (*name) fputs(", name: \"", to);
@@ -146,7 +146,7 @@ static void element_print(const PlanElement *from, const char *name, FILE *to)
         fprintf(to, "    - {line: %.9f m", e->length);
     } else if (e->k0 == e->k1) {
         fprintf(to, "    - {arc: %.9f m, radius: %.12g m, turn: %s", e->length, 1 / fabs(e->k0), turn);
-    } else if (e->k0 * e->k1 < 0) { /* in two where it changes its side */
+    } else if (e->k0 * e->k1 < 0) { /* in two where its curvature changes sign */
         PlanElement first = *e, second = *e;
         first.length = e->length * e->k0 / (e->k0 - e->k1);
         second.length = e->length - first.length;
@@ -163,7 +163,7 @@ static void element_print(const PlanElement *from, const char *name, FILE *to)
     name_print(name, to);
 }
 
-/* The corner of a curve is where the grades at its ends meet. */
+/* Writes a curve by its corner, where the grades at its ends meet. */
 static void curve_print(const ProfileElement *e, FILE *to)
 {
     if (e->kind == PROFILE_PARABOLA) {
@@ -177,7 +177,7 @@ static void curve_print(const ProfileElement *e, FILE *to)
             e->z + tangent * sin(slope), fabs(1 / e->bend));
 }
 
-/* Corners: the first and last point, every curve, and where grades meet without one. */
+/* Writes the corners: the first and last point, every curve, and meeting points of grades without one. */
 static void profile_print(const Alignment *a, double length, FILE *to)
 {
     const ProfileElement *const first = &a->profile[0], *const last = &a->profile[a->n_profile - 1];
@@ -196,7 +196,7 @@ static void profile_print(const Alignment *a, double length, FILE *to)
     fprintf(to, "    - {station: %.9f m, height: %.9f m}\n", end.station + over, end.z + over * end.grade);
 }
 
-/* Corners in space that are built with one radius. */
+/* Writes corners in space that are rounded with one radius. */
 static hawser_status print_corners(const Alignment *a, const char *system, FILE *to)
 {
     fprintf(to, "# %s\n", *a->name ? a->name : "route");
@@ -230,7 +230,7 @@ hawser_status print_case(const Alignment *a, const char *system, FILE *to, hawse
 /* --------------------------------------------------------------------------------------------------------------- DXF
  */
 
-/* Names of layers in R12: letters, digits, - and _, 31 of them. */
+/* Sets a layer's name for R12: letters, digits, - and _, 31 of them. */
 static void layer_set(const Alignment *a, char layer[32])
 {
     const char *const from = *a->layer ? a->layer : *a->name ? a->name : "ROUTE";
@@ -254,7 +254,7 @@ static void polyline_begin(FILE *to, const char *layer, int space, double z)
             space ? 8 : 0);
 }
 
-/* Arcs for an element: itself, or as many as a clothoid needs for 0.02 mm: (WR1). */
+/* Writes arcs for an element: itself, or as many as a clothoid needs for 0.02 mm: (WR1). */
 static void bulges_print(FILE *to, const char *layer, const PlanElement *e, double z)
 {
     const double rate = fabs(e->k1 - e->k0) / e->length, turn = e->length * fmax(fabs(e->k0), fabs(e->k1));
@@ -267,7 +267,7 @@ static void bulges_print(FILE *to, const char *layer, const PlanElement *e, doub
     }
 }
 
-/* Level lines of elements keep their arcs. */
+/* Checks for a level line of elements, which keeps its arcs. */
 static int is_level(const Alignment *a)
 {
     int level = a->n_plan > 0;
@@ -349,21 +349,21 @@ static hawser_status print_geojson(const Alignment *a, const char *system, FILE 
 
 /* CSV: elements with their starts, and the planner's pieces. */
 
-/* A number with so many digits behind the point; nothing where there is none. */
+/* Writes a number with that many decimals; nothing if it is not finite. */
 static void cell(FILE *to, int digits, double value)
 {
     fputc(',', to);
     if (isfinite(value)) fprintf(to, "%.*f", digits, value);
 }
 
-/* The same with twelve figures. */
+/* Writes a radius with twelve digits. */
 static void radius_cell(FILE *to, double curvature)
 {
     fputc(',', to);
     if (curvature != 0) fprintf(to, "%.12g", 1 / curvature);
 }
 
-/* In quotes, which are doubled within. */
+/* Writes a name in quotes, which are doubled within. */
 static void name_cell(FILE *to, const char *name)
 {
     fputs(",\"", to);
@@ -404,7 +404,7 @@ static hawser_status print_elements(const Alignment *a, FILE *to, hawser_error *
     return status;
 }
 
-/* One row; 0: a piece that the table has no words for. */
+/* Writes one row; returns 0 for a piece that the table cannot express. */
 static int piece_print(const Stretch *s, FILE *to)
 {
     const PlanElement *const e = &s->plan;
@@ -434,14 +434,14 @@ static hawser_status print_pieces(const Alignment *a, FILE *to, hawser_error *er
         if (piece_print(&s.item[i], to)) continue;
         status = error_set(err, HAWSER_ERR_INPUT,
                            "'%.60s' has a clothoid, a parabola or a bend on a vertical curve %.3f m from its start: a "
-                           "table of pieces has no word for it; write elements",
+                           "table of pieces cannot express it; write elements",
                            a->name, s.item[i].station);
     }
     free(s.item);
     return status;
 }
 
-/* rad: what turns more is no route, and would be written as millions of arcs. */
+/* rad: a larger turn is no route, and would be written as millions of arcs. */
 static const double turn_most = 200;
 
 int write_format(const char *path)
@@ -466,7 +466,7 @@ hawser_status alignment_print(const Alignment *a, const char *system, WriteForma
     }
     if (format != WRITE_CASE && a->n_plan == 0 && a->corner > 0) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' has corners in space with a radius, which only a case's route (.yaml) can say",
+                         "'%.60s' has corners in space with a radius, which only a case's route (.yaml) can express",
                          a->name);
     }
     for (int i = 0; i < a->n_plan; ++i) {

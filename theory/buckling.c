@@ -8,12 +8,13 @@
 
 const char *const straight_names[] = {"duct", "carriers"};
 
-enum { LOOKS = 16 };                            /* at a span */
-static const double HELIX = 1.8284271247461903; /* times the load of snaking (BK6) */
-static const double LOCKS = 4.26;               /* (BK9): twice the integral of 1/n over the push */
-static const double PAIR = 0.5;                 /* m between two guides that hold the cable together */
+enum { LOOKS = 16 };                            /* places inspected in each span */
+static const double HELIX = 1.8284271247461903; /* times the critical load of snaking (BK6) */
+static const double LOCKS = 4.26;               /* (BK9): twice the integral of 1/n over the length in compression */
+static const double PAIR = 0.5;                 /* m, largest distance between two guides that act as a pair */
 
-/* A length, or a place where both ends are the same, that holds the cable up, or to both sides. */
+/* A length of the route on which something holds the cable up, or to both sides; at a single place both ends are equal.
+ */
 typedef struct Hold {
     double from, to; /* m along the route */
 } Hold;
@@ -26,7 +27,8 @@ typedef struct Holds {
     Hold *up, *aside; /* [n] in no order */
 } Holds;
 
-/* A guide with one on the other side, a groove: what leans holds less, and is not counted. */
+/* Checks whether a roller is grooved, or a guide has a partner on the other side. Supports with play hold less and are
+ * not counted. */
 static int holds_aside(const Supports *map, int i)
 {
     const SupportRoller *const r = &map->roller[i];
@@ -37,7 +39,8 @@ static int holds_aside(const Supports *map, int i)
     return 0;
 }
 
-/* A tray's floor carries, and its sides are as far away as they are: only a duct and belts hold it to the side. */
+/* Lists what holds the cable. A tray's floor carries the cable, but its sides may be far away: only ducts and belts
+ * count as lateral support along a length. */
 static hawser_status holds_find(Holds *h, hawser_error *err)
 {
     const Supports *const map = &h->setup->supports;
@@ -62,7 +65,7 @@ static hawser_status holds_find(Holds *h, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* m around s in which nothing of these holds it, as far as the route goes; 0: one is there. */
+/* Length around s without any of these holds, m, within the route; 0 if one holds the cable at s. */
 static double free_length(const Holds *h, int n, const Hold *hold, double s)
 {
     double before = 0, behind = h->route->length;
@@ -74,7 +77,7 @@ static double free_length(const Holds *h, int n, const Hold *hold, double s)
     return fmax(0, behind - before);
 }
 
-/* A floor under the cable carries it everywhere. */
+/* Unsupported length around s, m; 0 above a floor, which carries the cable everywhere. */
 static double free_up(const Holds *h, double s)
 {
     const double least = -bundle_diameter(h->setup->def);
@@ -82,7 +85,8 @@ static double free_up(const Holds *h, double s)
     return free_length(h, h->n_up, h->up, s);
 }
 
-/* (BK7): between carriers upward, between what holds it to the side; whichever bows first. */
+/* Computes the critical load of bowing (BK7), upward between carriers or sideways between lateral supports, whichever
+ * is smaller. */
 static void bows(const Holds *h, double s, Buckling *out)
 {
     const double apart = fmax(free_up(h, s), free_length(h, h->n_aside, h->aside, s));
@@ -92,7 +96,7 @@ static void bows(const Holds *h, double s, Buckling *out)
     out->wave = apart;
 }
 
-/* (BK2), (BK3): on a length of duct in which it is pushed with so much at s. */
+/* Computes the critical load of snaking (BK2), (BK3) in a duct, where `length` is in compression by `push` at s. */
 static void snakes(const Holds *h, const PullSpan *span, double room, double length, double s, double push,
                    Buckling *out)
 {
@@ -101,7 +105,7 @@ static void snakes(const Holds *h, const PullSpan *span, double room, double len
     const double halves = fmax(1, floor(length / wave));
     out->by = STRAIGHT_DUCT;
     out->critical = INFINITY;
-    for (int i = 0; i < 2; ++i) { /* the number of half waves that asks for least is one of two */
+    for (int i = 0; i < 2; ++i) { /* the number of half waves with the smallest load is one of two */
         const double q = (halves + i) * M_PI / length, load = h->ei * q * q + k / (q * q);
         if (!(load < out->critical)) continue;
         out->critical = load;
@@ -111,7 +115,7 @@ static void snakes(const Holds *h, const PullSpan *span, double room, double len
     out->locks_up = LOCKS / span->law.mu * sqrt(h->ei / (straight * room));
 }
 
-/* m of play around the cable in the duct at s; 0: there is none. */
+/* Clearance around the cable in the duct at s, m; 0 if there is none. */
 static double room_at(const Setup *setup, double s)
 {
     const SurfaceDef *const on = supports_surface(&setup->supports, s);
@@ -119,7 +123,7 @@ static double room_at(const Setup *setup, double s)
     return fmax(0, (on->bore > 0 ? on->bore : on->shape.radius) - bundle_diameter(setup->def) / 2);
 }
 
-/* The length around span i in which the cable is pushed, m: of spans that follow each other. */
+/* Length in compression around span i, m, over all adjoining spans in compression. */
 static double pushed_length(const Pull *pull, int i)
 {
     double length = fabs(pull->span[i].s1 - pull->span[i].s0);
@@ -128,7 +132,8 @@ static double pushed_length(const Pull *pull, int i)
     return length;
 }
 
-/* m along the route, as far as it is pushed by more than a metre weighs from `in`, where it is, towards `out`. */
+/* End of the stretch in compression, m along the route, between `in` (in compression) and `out`. Compression counts
+ * from the weight of one metre of cable. */
 static double pushed_to(const Holds *h, const PullSpan *span, double in, double out)
 {
     enum { HALVINGS = 24 };
@@ -143,7 +148,7 @@ static double pushed_to(const Holds *h, const PullSpan *span, double in, double 
     return in;
 }
 
-/* Of one span; 0: it is not pushed there. */
+/* Finds the worst place of one span. Returns 0 if the span is not in compression. */
 static int span_look(const Holds *h, const Pull *pull, int i, Buckling *out)
 {
     const PullSpan *const span = &pull->span[i];
@@ -211,7 +216,7 @@ const Buckling *buckling_worst(int n, const Buckling *row)
     return worst;
 }
 
-/* With the front there. */
+/* Finds the worst place of the pull with the cable's front at `front`. */
 static hawser_status run_look(const Setup *setup, double front, Buckling *out, hawser_error *err)
 {
     Expected e = {0};
@@ -244,7 +249,7 @@ hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *e
     return status;
 }
 
-/* Takes all friction off a pull that begins with `tension`, N. */
+/* Sets all friction of a pull to zero; the pull begins with `tension`, N. */
 static void friction_off(Pull *pull, double tension)
 {
     pull->start_tension = tension;

@@ -1,49 +1,49 @@
-/* Where a cable is pushed, and whether what holds it there keeps it straight: critical loads, and the length in which a
- * push is used up. docs/model/60-theory.md, "Compression" (BK1)-(BK9). */
+/* Compression of the cable: critical loads where it is pushed, and the length after which a push is used up.
+ * docs/model/60-theory.md, "Compression" (BK1)-(BK9). */
 #ifndef HAWSER_THEORY_BUCKLING_H
 #define HAWSER_THEORY_BUCKLING_H
 
 #include "theory/setup.h"
 
-/* What keeps it straight there. */
+/* Support that keeps the cable straight. */
 typedef enum StraightBy {
-    STRAIGHT_DUCT,    /* the duct's bottom: it snakes, then coils */
-    STRAIGHT_CARRIERS /* what carries it or holds it to the side at places, machines included: it bows between them */
+    STRAIGHT_DUCT,    /* the duct's bottom: the cable snakes, then forms a helix */
+    STRAIGHT_CARRIERS /* supports at places, machines included: the cable bows between them */
 } StraightBy;
 extern const char *const straight_names[];
 
-/* One span of a pull in which it is pushed, at the place that is nearest to the critical load. */
+/* One span in compression, at the place that is nearest to the critical load. */
 typedef struct Buckling {
-    double from, to; /* m along the route: between them it is pushed */
+    double from, to; /* m along the route: ends of the stretch in compression */
     double push, at; /* N, m */
-    double critical; /* N, of snaking (BK3), or of bowing (BK7) */
-    double helix;    /* N, from which on it is coiled up in a duct; NAN elsewhere */
+    double critical; /* N, of snaking (BK3) or bowing (BK7) */
+    double helix;    /* N, from which the cable forms a helix in a duct; NAN elsewhere */
     double wave;     /* m, of a half wave at the critical load */
-    double locks_up; /* m of level duct, after which no push is left, however large it was (BK9); NAN elsewhere */
+    double locks_up; /* m of level duct after which any push is used up (lock-up, BK9); NAN elsewhere */
     StraightBy by;
 } Buckling;
 
-/* The spans of a pull in which it is pushed by more than a metre of it weighs; *row is malloc'ed, the caller's, NULL
- * where there is none. Errors: MEMORY. */
+/* Finds the spans of a pull in which the compression exceeds the weight of one metre of cable. The caller frees *row,
+ * which is NULL if there is none. Errors: MEMORY. */
 hawser_status buckling_find(const Setup *setup, const Route *route, const Pull *pull, int *n, Buckling **row,
                             hawser_error *err);
-/* Share of the critical load beyond which a cable that is pushed is not left as straight as it was drawn. */
+/* Share of the critical load beyond which a run does not begin with a straight cable. */
 static const double BUCKLING_NEAR = 0.7;
-/* The worst place of a run's pull, wherever the front is on its way; its push is 0 if nothing pushes. What theory has
- * no answer for pushes nothing. Errors: MEMORY. */
+/* Finds the worst place of a run's pull over all places of the front. Its push is 0 if the cable is nowhere in
+ * compression or theory has no result. Errors: MEMORY. */
 hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *err);
-/* The same of a case that is not built yet; where nothing pushes, nothing is computed. What a setup cannot be built of
- * pushes nothing here. Errors: MEMORY. */
+/* The same for a case that is not built yet. Its push is 0 if no setup can be built; nothing is computed if nothing
+ * pushes. Errors: MEMORY. */
 hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling *out, hawser_error *err);
-/* N, with which the tail is held before the start, friction off, where a cable that friction holds while it is pulled
- * would otherwise be pushed at rest beyond its critical load (BK11); NAN: with what the case gives. Errors: MEMORY. */
+/* Finds the tension N at the tail before the start, without friction, that keeps a resting cable below its critical
+ * load where only friction keeps it so during the pull (BK11). NAN: the case's own tension is used. Errors: MEMORY. */
 hawser_status buckling_held_at_rest(const Setup *setup, double *hold, hawser_error *err);
-/* Whether a run with that begins bent (BK10). Of several chains and of positions nothing is: what is pushed there is
- * not trusted. */
+/* Checks whether a run with this compression begins bent (BK10). Runs of several chains and positions never do; their
+ * compression fails a condition of trust. */
 int buckling_bends(const SceneDef *def, const Buckling *of_run);
-/* m, half wave in which it snakes or coils with the push that is there (ME14), or bows. */
+/* Half wave of snaking or helix at the present push (ME14), or of bowing, m. */
 double buckling_shown(const Buckling *b);
-/* The one that is nearest to its critical load, or farthest beyond it; NULL if there is none. */
+/* The span nearest to its critical load, or farthest beyond it; NULL if there is none. */
 const Buckling *buckling_worst(int n, const Buckling *row);
 
 #endif

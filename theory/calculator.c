@@ -9,7 +9,7 @@
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
-/* Stretches in which the case gives friction for theory alone: what lies there is cut at both ends (PN1). */
+/* Sets friction that the case gives for theory alone; stretches are cut at both ends of its range (PN1). */
 static hawser_status friction_set(const Setup *setup, Stretches *s, hawser_error *err)
 {
     const TheoryDef *const theory = &setup->def->theory;
@@ -35,9 +35,7 @@ static hawser_status friction_set(const Setup *setup, Stretches *s, hawser_error
     return HAWSER_OK;
 }
 
-/* A stretch in a bend, which holds s, as it is on a straight beyond the route's end, where the weight correction may be
- * another.
- */
+/* The stretch in a bend at s as it would be on a straight, where the weight correction may differ. */
 static PullStretch straightened(const Setup *setup, const PullStretch *bend, double s)
 {
     const SurfaceDef *const on = supports_surface(&setup->supports, s);
@@ -49,8 +47,7 @@ static PullStretch straightened(const Setup *setup, const PullStretch *bend, dou
     return straight;
 }
 
-/* Beyond either end of the route things are as they are at the end: a longer pull goes on in the same duct, straight.
- */
+/* Extends the stretches beyond both ends of the route: a longer pull continues straight in the same duct. */
 static hawser_status ends_extend(const Setup *setup, Stretches *s, hawser_error *err)
 {
     const Route *const route = setup->route;
@@ -78,8 +75,8 @@ static hawser_status ends_extend(const Setup *setup, Stretches *s, hawser_error 
     return HAWSER_OK;
 }
 
-/* The least and largest friction are the cable's, before a duct's correction, whatever the rope's is. Of a rope that
- * draws chains `rope_mu` is its own. */
+/* Finds the least and largest friction of the cable, before a duct's correction and regardless of the rope's. A rope
+ * that pulls chains has `rope_mu` as its own friction. */
 static void frictions_find(const Setup *setup, Calculator *c)
 {
     const double rope_mu = setup->def->theory.rope_mu;
@@ -94,7 +91,7 @@ static void frictions_find(const Setup *setup, Calculator *c)
     }
 }
 
-/* How the cables lie in the ducts; what friction and weight they make is in the stretches. */
+/* Sets the positions of cables in the ducts; friction and weight that follow from them are part of the stretches. */
 static hawser_status cables_set(const Setup *setup, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = setup->def;
@@ -111,7 +108,7 @@ static hawser_status cables_set(const Setup *setup, Calculator *c, hawser_error 
     return status;
 }
 
-/* The place of another route that s is on this one: the same share of the same piece. */
+/* Place on another route that corresponds to s on this one: the same share of the same piece. */
 static double place_on(const Route *other, const Route *route, double s)
 {
     if (other == route || !(s > 0)) return s;
@@ -121,7 +118,7 @@ static double place_on(const Route *other, const Route *route, double s)
     return there->s0 + (s - here->s0) * there->length / here->length;
 }
 
-/* The map's rollers where they are on this route. */
+/* Places the map's rollers on this route. */
 static hawser_status rollers_place(const Setup *setup, Calculator *c, hawser_error *err)
 {
     const Supports *const map = &setup->supports;
@@ -134,7 +131,7 @@ static hawser_status rollers_place(const Setup *setup, Calculator *c, hawser_err
     return HAWSER_OK;
 }
 
-/* What the setup's pushers push with, one way. */
+/* Pushes of the setup's pushers in one direction. */
 typedef struct Pushing {
     const Setup *setup;
     PullStep *push; /* [setup->n_pushers] */
@@ -146,8 +143,8 @@ static double pusher_push(void *of, int i, double arriving)
     return p->push[i].force = setup_push(p->setup, i, arriving, INFINITY);
 }
 
-/* The pushes in one pull, with cable in all of them: each takes what the ones before it leave. One that the pull does
- * not reach has what arrives at its end. */
+/* Finds all pushes in one pull with cable in all pushers; each depends on the tension that the earlier ones leave. A
+ * pusher that the pull does not reach uses the tension at the pull's end. */
 static hawser_status pushes_find(const Setup *setup, Calculator *c, int way, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
@@ -161,7 +158,7 @@ static hawser_status pushes_find(const Setup *setup, Calculator *c, int way, haw
         push[i] = (PullStep){.at = place_on(c->route, setup->route, setup->pusher[i].at), .force = NAN};
     def.push = def.push_back = push;
     def.pushes = &law;
-    def.enough = 0; /* the pushes to come may take it off */
+    def.enough = 0; /* later pushes may reduce the tension again */
     const hawser_status status = plan_pull(&def, &whole, &pull, err);
     if (status) return status;
     for (int i = 0; i < setup->n_pushers; ++i)
@@ -172,7 +169,7 @@ static hawser_status pushes_find(const Setup *setup, Calculator *c, int way, haw
 
 /* ------------------------------------------------------------------------------------------ rollers, rules */
 
-/* A length of the route: of a piece, or of a bend that several make. */
+/* A length of the route: one piece, or a bend of several pieces. */
 typedef struct Part {
     double from, to; /* m */
 } Part;
@@ -188,7 +185,7 @@ int guide_stands_outside(const Route *route, const RollerDef *guide)
     return bend_side(v3_sub(guide->centre, at.position), at.curvature) < 0;
 }
 
-/* The places, rising, of the carriers of rows, or of the guides that bear, on the part; returns how many. */
+/* Lists the places, rising, of the rows' carriers or of the loaded guides on the part; returns their number. */
 static int places_on(const Supports *map, SupportKind kind, Part on, double *s)
 {
     int n = 0;
@@ -199,9 +196,9 @@ static int places_on(const Supports *map, SupportKind kind, Part on, double *s)
     return n;
 }
 
-/* The largest gap between neighbours that reaches into the part and holds no duct or tray, of places s[n], rising, from
- * *first on, which moves on to the last that does not lie behind the part's begin. One alone has the whole of the part
- * that it stands on. */
+/* Largest gap between neighbours of the rising places s[n] that reaches into the part and holds no duct or tray. *first
+ * is where the search begins; it advances to the last place before the part. A single place counts with the whole part.
+ */
 static double gap_on(const Supports *map, Part part, int n, const double *s, int *first)
 {
     double gap = 0;
@@ -212,13 +209,13 @@ static double gap_on(const Supports *map, Part part, int n, const double *s, int
     return alone && !supports_surface(map, s[0]) ? part.to - part.from : gap;
 }
 
-/* The nearest carrier on either side of a bend in which none stands. */
+/* Adds the nearest carrier on either side of a bend without carriers. */
 static void bearers_add(const Supports *map, Part bend, int piece, Calculator *c)
 {
     int beyond = supports_from(map, bend.to), before = beyond, nearest = -1;
     while (beyond < map->n_rollers && !(map->roller[beyond].s > bend.to)) before = ++beyond;
     while (beyond < map->n_rollers && (!map->roller[beyond].row || map->roller[beyond].kind == SUPPORT_GUIDE)) ++beyond;
-    while (--before >= 0) { /* of those in one place the one that is listed first */
+    while (--before >= 0) { /* of carriers at one place the first in the list counts */
         const SupportRoller *const r = &map->roller[before];
         if (nearest >= 0 && r->s < map->roller[nearest].s) break;
         if (r->row && r->kind != SUPPORT_GUIDE) nearest = before;
@@ -227,8 +224,8 @@ static void bearers_add(const Supports *map, Part bend, int piece, Calculator *c
     if (beyond < map->n_rollers) c->bearer[c->n_bearers++] = (Bearer){piece, map->roller[beyond].item};
 }
 
-/* The neighbours of the carrier at s among those at place[n], rising, the ends of ducts and trays, and the route's, at
- * which something else has the cable. Returns how many of them are ends; -1: it stands at or beyond one. */
+/* Finds the neighbours of the carrier at s among place[n] (rising), the ends of ducts and trays, and the route's ends,
+ * where something else holds the cable. Returns how many of the two are ends; -1: s is at or beyond an end. */
 static int neighbours_of(const Supports *map, double s, int n, const double *place, double near[2])
 {
     const int low = items_before(n, place, sizeof *place, s, 0), high = items_before(n, place, sizeof *place, s, 1);
@@ -242,8 +239,7 @@ static int neighbours_of(const Supports *map, double s, int n, const double *pla
     return s > near[0] && s < near[1] ? ends : -1;
 }
 
-/* (T18a) of the rated carriers on straights beside bends, and of those next to an end; guides have what goes
- * aside. */
+/* Finds the rated carriers on straights beside bends and next to an end (T18a). Guides bear the lateral force. */
 static void beside_find(const Supports *map, int n, const double *place, Calculator *c)
 {
     const Route *const route = map->route;
@@ -270,7 +266,8 @@ static void beside_find(const Supports *map, int n, const double *place, Calcula
     }
 }
 
-/* Carriers along the whole route; guides only bend by bend, since there are none between bends. */
+/* Finds the gaps between carriers along the whole route; those between guides for each bend, since there are none
+ * between bends. */
 static hawser_status spacings_find(const Setup *setup, Calculator *c, hawser_error *err)
 {
     const Supports *const map = &setup->supports;
@@ -302,12 +299,12 @@ static hawser_status spacings_find(const Setup *setup, Calculator *c, hawser_err
     return HAWSER_OK;
 }
 
-/* By the spans of the pull, which lie inside pieces. */
+/* Finds the friction rule of each piece from the spans of the pull, which do not cross pieces. */
 static hawser_status rules_find(const Setup *setup, Calculator *c, hawser_error *err)
 {
     c->rule = calloc((size_t)setup->route->n, sizeof *c->rule);
     if (!c->rule) return error_memory(err);
-    const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull; /* a piece's spans follow each other */
+    const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull; /* spans of one piece are adjacent */
     for (int i = 0; i < pull->n; ++i) {
         const int p = pull->span[i].piece, first = i == 0 || pull->span[i - 1].piece != p;
         const SupportRule rule = pull->span[i].law.separate ? SUPPORT_SEPARATE : SUPPORT_RESULTANT;
@@ -318,7 +315,7 @@ static hawser_status rules_find(const Setup *setup, Calculator *c, hawser_error 
 
 /* ---------------------------------------------------------------------------------------------- the whole */
 
-/* Machines and pits, and `more` of that sort to come. */
+/* Sets machines and pits, with space for `more` of them. */
 static hawser_status steps_set(const TheoryDef *theory, int more, Calculator *c, hawser_error *err)
 {
     c->step = calloc((size_t)(theory->n_machines + theory->n_pits + more + 1), sizeof *c->step);
@@ -330,7 +327,7 @@ static hawser_status steps_set(const TheoryDef *theory, int more, Calculator *c,
     return HAWSER_OK;
 }
 
-/* Of the rope ahead, N/m: as given, or the chain's. */
+/* Weight of the rope ahead, N/m: as given, or of the chain's heaviest rope piece. */
 static double rope_weight(const SceneDef *def)
 {
     const double given = def->theory.rope_mass, g = v3_norm(def->gravity);
@@ -341,7 +338,7 @@ static double rope_weight(const SceneDef *def)
     return most;
 }
 
-/* Of the cable's lightest piece, N/m; 0: all weigh the same. */
+/* Weight of the cable's lightest piece, N/m; 0: all weigh the same. */
 static double lightest_of(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
@@ -351,7 +348,7 @@ static double lightest_of(const Setup *setup)
     return least < setup->cable_weight * (1 - 1e-9) ? least : 0;
 }
 
-/* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */
+/* Sets the start tension, the reel's and the rope's allowances, and friction that depends on the length pulled. */
 static void plan_set(const Setup *setup, const Expected *expected, Calculator *c)
 {
     const TheoryDef *const theory = &setup->def->theory;
@@ -373,7 +370,7 @@ static void plan_set(const Setup *setup, const Expected *expected, Calculator *c
     c->def.wear_by = (WearKind)theory->wear_by;
 }
 
-/* What the arrays are by now. */
+/* Lends the plan the arrays in their present state. */
 static void plan_borrow(const Setup *setup, Calculator *c)
 {
     c->def.route = c->route;
@@ -387,8 +384,8 @@ static void plan_borrow(const Setup *setup, Calculator *c)
     c->def.step = c->step;
 }
 
-/* Pushes, plan, the head's places no farther apart than `apart` (m; INFINITY: their peaks alone; NAN: they are not
- * asked for), limits. */
+/* Computes pushes, plan, the winch force at places of the head and the limits. apart: largest distance between the
+ * places, m; INFINITY: only their peaks, NAN: none of them. */
 static hawser_status solve(const Setup *setup, double apart, Calculator *c, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -422,7 +419,7 @@ static hawser_status weight_check(const SceneDef *def, hawser_error *err)
                      g.x, g.y, g.z);
 }
 
-enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at least */
+enum { HEAD_PLACES = 40 }; /* places of the head between the ends of the route, at least */
 
 hawser_status calculator_build(const Setup *setup, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err)
@@ -443,7 +440,7 @@ hawser_status calculator_build(const Setup *setup, const Expected *expected, int
 
 /* ------------------------------------------------------------------------------------------- variations */
 
-/* Makes what bends so many times as large. */
+/* Multiplies the radius of a piece by `times`. */
 static void piece_grow(RoutePieceDef *piece, double times)
 {
     piece->radius *= times;
@@ -459,7 +456,7 @@ static hawser_status route_vary(const Setup *setup, const Variation *by, Route *
     RoutePieceDef *const piece = malloc((size_t)def->n_route * sizeof *piece);
     if (!piece) return error_memory(err);
     for (int p = 0, last = -1, meant = 0; p < def->n_route; ++p) {
-        if (p > last) { /* a bend is one in whatever parts it is drawn */
+        if (p > last) { /* a bend counts as one, however many pieces it has */
             last = route_turn_end(setup->route, p);
             meant = by->bend < 0 || (by->bend >= p && by->bend <= last);
         }
@@ -480,7 +477,7 @@ static void *copy_of(const void *from, int n, size_t size)
     return to;
 }
 
-/* What the base has along its route, in the same places of the other one. */
+/* Copies what the base has along its route to the same places of the varied route. */
 static hawser_status places_vary(const Setup *setup, const Calculator *base, const Variation *by, Calculator *c,
                                  hawser_error *err)
 {
@@ -510,7 +507,7 @@ static hawser_status places_vary(const Setup *setup, const Calculator *base, con
     return rollers_place(setup, c, err);
 }
 
-/* Whether a limit asks for what the winch needs, wherever the head is: of rope, winch or trip. */
+/* Checks whether a limit needs the winch force at all places of the head: rope, winch or trip. */
 static int peaks_count(const Setup *setup)
 {
     const LimitsDef *const limits = &setup->def->limits;

@@ -22,7 +22,7 @@ static hawser_status refuse_slack(const char *where, double T, hawser_error *err
     return error_set(err, HAWSER_ERR_INPUT, "the tension %s the bend is %g N: a cable does not push", where, T);
 }
 
-/* Both ends must pull; gives out T2 if they do. */
+/* Sets T2 if both ends are in tension. */
 static hawser_status give_bend(double T1, double result, double *T2, hawser_error *err)
 {
     if (!(T1 >= 0)) return refuse_slack("before", T1, err);
@@ -72,7 +72,7 @@ static double vertical_form(VerticalBend kind, double T1, double c, double K, do
     return T1 * e - c * (2 * K * e * sine + q * (1 - e * cosine));
 }
 
-/* In a sag T - w R cos(slope) can only turn negative while the slope is downward, (T16): looking at both ends
+/* In a sag T - w R cos(slope) can only become negative while the slope is downward, (T16): checking both ends
  * is enough, since one of them is level. */
 hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, double mu, double R, double turn,
                                     double *T2, hawser_error *err)
@@ -137,7 +137,7 @@ static double arc_regime_end(const VerticalArc *arc, double T1, double a, double
     return good + (bad - good) / 2;
 }
 
-/* Which side a sag's cable bears on at slope a; at zero force the force is about to grow with the sign of the
+/* The side on which a sag's cable bears at slope a; at zero force the force is about to grow with the sign of the
  * slope. */
 static double sag_side(double T, const VerticalArc *arc, double a)
 {
@@ -146,7 +146,7 @@ static double sag_side(double T, const VerticalArc *arc, double a)
     return g < 0 ? -1 : 1;
 }
 
-/* A sag goes through at most three regimes: lifted, on the bottom, lifted again; a crest has one. */
+/* A sag has at most three regimes: uplift, on the bottom, uplift again; a crest has one. */
 int bend_vertical_parts(double T1, double w, double mu, double R, double a, double b, VerticalPart part[VERTICAL_PARTS])
 {
     VerticalArc arc = {.w = w, .mu = mu, .R = R, .k = b > a ? 1 : -1, .side = 1};
@@ -287,7 +287,7 @@ double paper_total(int n, const PaperTermDef *term, double W, double mu, double 
 
 double paper_tension(int n, const PaperTermDef *term, double W, double mu, double g, double s)
 {
-    double tension = 0, left = s > 0 ? s : 0; /* path still to walk */
+    double tension = 0, left = s > 0 ? s : 0; /* remaining path */
     for (int i = 0; i < n; i++) {
         const double path = paper_term_path(&term[i]);
         if (term[i].kind == PAPER_REEL || (path > 0 && left >= path)) {

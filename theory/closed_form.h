@@ -31,8 +31,8 @@ hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, doub
  * < 0 at either end. */
 hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b, double *T2,
                                         hawser_error *err);
-/* The same part by part: a sag's normal force changes sign at most twice. Slopes, the side that the cable bears on (1:
- * the inner one), tensions in and out, with no regard to their signs. Returns how many. */
+/* The same part by part: a sag's normal force changes sign at most twice. Sets slopes, the side on which the cable
+ * bears (1: the inner one) and tensions in and out, whatever their signs. Returns the number of parts. */
 enum { VERTICAL_PARTS = 3 };
 
 typedef struct VerticalPart {
@@ -48,16 +48,16 @@ double bend_vertical_particular(double w, double R, double k, double m, double s
 hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err);
 /* Size of the force on a roller between tensions T1 and T2 that turn by `turn`, N. (T18) */
 double roller_load(double T1, double T2, double turn);
-/* How a piece of a route lies: bends level or in a vertical plane have closed forms, other turns have none. */
+/* Orientation of a piece of a route: level and vertical-plane bends have closed forms, other turns have none. */
 typedef enum PieceLie { LIES_STRAIGHT, LIES_LEVEL, LIES_UPRIGHT, LIES_OTHERWISE } PieceLie;
 
 PieceLie piece_lie(const RoutePiece *piece);
-/* Slopes (rad) at which a bend in a vertical plane is entered and left: the tangent's vertical component, and the side
- * of the centre, say by how much the slope rises. */
+/* Computes the slopes (rad) at which a bend in a vertical plane is entered and left: the tangent's vertical component
+ * gives their size, the side of the centre whether the slope rises. */
 void piece_slopes(const RoutePiece *piece, int direction, double *a, double *b);
-/* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1), its supports
- * separate or not. Refuses what has none: bends that are neither level nor in a vertical plane, and those that the
- * functions above refuse. */
+/* Applies the closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1), with or
+ * without separate supports. Refuses bends that are neither level nor in a vertical plane, and what the functions above
+ * refuse. */
 hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, int separate,
                             double *T2, hawser_error *err);
 /* The paper's tension formulas, its eq. 3-10: the pull is a sum of terms along the path, without capstan

@@ -11,32 +11,33 @@
 
 /* -------------------------------------------------------------------------------------- a route that crosses itself */
 
-/* Two stretches of the route are halved until they are too far apart for the cable to lie inside itself, or as short as
- * it is thick. */
-/* Cable diameters along the route, within which the cable is beside itself anyway. */
+/* Two stretches of the route are halved until they are too far apart for the cable to overlap itself, or no longer than
+ * the cable is thick. */
+/* Distance along the route, in cable diameters, within which two places are neighbours and not a crossing. */
 static const double APART = 10;
 
-/* Where a route crosses itself at one level with cable in both places. */
+/* A place where the route crosses itself at one level with cable in both places. */
 typedef struct Crossing {
-    double overlap; /* share of the diameter by which the cable lies inside itself */
-    char says[200]; /* empty: nowhere */
+    double overlap; /* overlap as a share of the diameter */
+    char says[200]; /* empty if there is no crossing */
 } Crossing;
 
 typedef struct Stretch {
     double from, to;               /* m along the route */
-    double turned_from, turned_to; /* rad, at most: by how much the route has turned up to there, to whatever side */
+    double turned_from, turned_to; /* rad, upper bounds of the accumulated turn up to there, in any direction */
     Vec3 middle;
 } Stretch;
 
 typedef struct Search {
     const Route *route;
     const double *turned; /* [pieces + 1] rad, up to each piece's start */
-    double thick, chain;  /* m, of the cable and its length */
-    double turn;          /* rad: a curve whose ends meet turns by more than that */
-    double a, b, away;    /* m, what was found */
+    double thick, chain;  /* m, thickness and length of the cable */
+    double turn;          /* rad: a curve whose ends meet turns by more than this */
+    double a, b, away;    /* m, the crossing found */
 } Search;
 
-/* end: the stretch ends there; of a curve, which does not turn evenly, it has the whole turn then, else none. */
+/* Accumulated turn at s, rad. A curve does not turn evenly: it counts with its whole turn where the stretch ends in it
+ * (`end`), else with none. */
 static double turned_at(const Search *f, double s, int end)
 {
     const int k = route_at(f->route, s).piece;
@@ -51,7 +52,7 @@ static Stretch stretch_of(const Search *f, double from, double to)
                      route_at(f->route, 0.5 * (from + to)).position};
 }
 
-/* m between the places a and b of the route, which move to where it is nearest to itself. */
+/* Smallest distance between the route around a and around b, m; moves a and b to the nearest places. */
 static double nearest(const Route *route, double *a, double *b)
 {
     for (int k = 0; k < 40; ++k) {
@@ -59,7 +60,7 @@ static double nearest(const Route *route, double *a, double *b)
         const Vec3 off = v3_sub(q.position, p.position);
         const double along = v3_dot(p.tangent, q.tangent), det = 1 - along * along;
         const double x = v3_dot(off, p.tangent), y = v3_dot(off, q.tangent);
-        if (!(det > 1e-6)) { /* beside each other */
+        if (!(det > 1e-6)) { /* nearly parallel */
             *b = fmin(fmax(*b - y, 0), route->length);
             break;
         }
@@ -77,7 +78,7 @@ static int is_crossing(Search *f, double a, double b)
     return f->away < f->thick && f->b - f->a > APART * f->thick && f->b - f->a < f->chain;
 }
 
-/* Whether a place of p meets one of q, which is the same stretch or lies behind it. */
+/* Checks whether a place of p meets one of q, which is the same stretch or a later one. */
 static int stretches_meet(Search *f, const Stretch *p, const Stretch *q)
 {
     const double lp = p->to - p->from, lq = q->to - q->from;
@@ -99,7 +100,8 @@ static hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_err
 {
     const SceneDef *const def = setup->def;
     const Route *const route = setup->route;
-    /* ends a tenth of their way apart: a curve that turns by t has ends at least cos(t/2) of its length apart */
+    /* ends apart by a tenth of the path between them: a curve that turns by t has ends at least cos(t/2) of its length
+     * apart */
     Search f = {
         .route = route, .thick = bundle_diameter(def), .chain = setup->head - setup->tail, .turn = 2 * acos(1 / APART)};
     out->says[0] = '\0';
@@ -114,7 +116,7 @@ static hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_err
         out->overlap = 1 - f.away / f.thick;
         snprintf(out->says, sizeof out->says,
                  "the route crosses itself at one level, at %.4g m and at %.4g m, where the cable would lie inside "
-                 "itself: lead one way over the other, by %.3g mm at least",
+                 "itself: lead one part over the other, by %.3g mm at least",
                  f.a, f.b, 1e3 * f.thick);
     }
     free(turned);
@@ -133,11 +135,11 @@ hawser_status crossing_judge(const Setup *setup, hawser_condition *result, hawse
 
 /* --------------------------------------------------------------------------------------------------------- the ends */
 
-/* rad, by which the route may turn between a head without a rope and its end; cosine between a carrier's axis and the
- * route. */
+/* Largest turn of the route between a head without a rope and the route's end, rad; least cosine between a roller's
+ * axis and the route for a roller that lies along it. */
 static const double TURNED = 5 * M_PI / 180, ALONG = 0.9;
 
-/* rad, by how much the route turns from s on, to whatever side. */
+/* Total turn of the route beyond s in any direction, rad. */
 static double turn_from(const Route *route, double s)
 {
     double turn = 0;
@@ -148,7 +150,7 @@ static double turn_from(const Route *route, double s)
     return turn;
 }
 
-/* m along the route, from where on it turns by less than TURNED. */
+/* Place from which the route turns by less than TURNED, m along the route. */
 static double straight_from(const Route *route)
 {
     double turn = 0;
@@ -187,16 +189,16 @@ static hawser_status head_check(const Setup *s, hawser_error *err)
     return key ? error_set(err, HAWSER_ERR_INPUT, "key '%s': %s", key, says) : HAWSER_OK;
 }
 
-/* m of cable behind the start of its route that nothing has to carry. */
+/* Length of cable behind the route's start that needs no support, m. */
 static const double BEHIND = 2;
 
-/* m of rope beyond the route's end that may be slack: as far as from there to a winch. */
+/* Length of rope beyond the route's end that may be slack, m: the distance from there to a winch. */
 static const double AHEAD = 10;
 
 /* Weight over tension of a free length that sags by half of itself. */
 static const double SLACK = 4;
 
-/* Whether something placed by coordinates may carry cable beside the route, or it falls on the route too. */
+/* Checks whether something placed by coordinates may carry the cable beside the route. */
 static int is_elsewhere(const Setup *s)
 {
     const SceneDef *const def = s->def;
@@ -205,7 +207,7 @@ static int is_elsewhere(const Setup *s)
     return elsewhere || s->supports.n_rollers + s->supports.n_lengths == 0;
 }
 
-/* Cable behind the start that lies on nothing. */
+/* Checks for unsupported cable behind the start. */
 static hawser_status tail_check(const Setup *s, hawser_error *err)
 {
     if (is_elsewhere(s) || s->lead_in || !(-s->tail > BEHIND)) return HAWSER_OK;
@@ -215,7 +217,7 @@ static hawser_status tail_check(const Setup *s, hawser_error *err)
                      -s->tail);
 }
 
-/* N, that a rope's end is held with at rest, without friction: by the back tension and what hangs back from there. */
+/* Tension at the rope's end at rest without friction, N: back tension and the weight of cable that hangs back. */
 static double held_at_end(const Setup *s)
 {
     const Route *const route = s->route;
@@ -223,8 +225,8 @@ static double held_at_end(const Setup *s)
     return profile_value(&s->def->tail.tension, 0) + fmax(0, rise) * s->cable_weight;
 }
 
-/* Rope beyond the route's end that hangs to the winch, unless something placed by coordinates may be there: at rest it
- * sags by w L^2/8H, and falls if that is more than half of its length. */
+/* Checks rope beyond the route's end, unless something placed by coordinates may carry it: at rest it sags by w L^2/8H,
+ * and falls if that exceeds half of its length. */
 static hawser_status rope_check(const Setup *s, hawser_error *err)
 {
     const SceneDef *const def = s->def;
@@ -239,7 +241,7 @@ static hawser_status rope_check(const Setup *s, hawser_error *err)
                      beyond);
 }
 
-/* Carriers of rows that lie along the cable, so that it has an edge to lie on, or nothing. */
+/* Checks for carriers of rows whose axis lies along the cable, so that they cannot carry it. */
 static hawser_status rollers_check(const Setup *s, hawser_error *err)
 {
     for (int i = 0; i < s->supports.n_rollers; ++i) {
@@ -273,16 +275,16 @@ hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
     return status ? status : rollers_check(setup, err);
 }
 
-/* Whether theory is calculated with all that the case says. docs/reference/limits.md, "Trust". */
+/* Checks whether theory takes everything in the case into account. docs/reference/limits.md, "Trust". */
 
-/* Names and units by kind, and what holds; those of a run alone are in sim/run/trust.c. */
+/* Names and units of the kinds, and what holds when they do; those of a run alone are in sim/run/trust.c. */
 static const struct {
     const char *name, *unit;
 } kinds[] = {
-    [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, /* of theory: the cable is held up and to the side all along */
-    [HAWSER_CONDITION_FRICTION] = {"friction", "1"},   /* of theory: there is as much friction as the surfaces have */
+    [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, /* of theory: the cable is supported from below and laterally */
+    [HAWSER_CONDITION_FRICTION] = {"friction", "1"},   /* of theory: no surface has more friction than assumed */
     [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       /* of theory: the medium resists little */
-    [HAWSER_CONDITION_DRIVE] = {"drive", "1"},         /* of theory: machines act as theory takes them to */
+    [HAWSER_CONDITION_DRIVE] = {"drive", "1"},         /* of theory: machines act as theory assumes */
     [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       /* of theory: the cable is in tension everywhere */
     [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"}, /* of theory: bending stiffness breaks no limit */
     [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},     /* cables do not lie inside each other */
@@ -295,8 +297,8 @@ hawser_condition theory_condition(hawser_condition_kind kind, double value, doub
     return out;
 }
 
-/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
- * how it runs is a pull in which the cable would fall. */
+/* Friction without a support is meaningless: a case for theory alone may leave out supports, but not friction as well.
+ * In a case that is to be run, the cable would fall. */
 static hawser_status supported_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
 {
     const TheoryDef *const theory = &setup->def->theory;
@@ -305,12 +307,12 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
     if (theory->guessed_friction) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
-                 "that of a guessed %g; give what carries it, or friction.mu",
+                 "computed with an assumed friction of %g; give supports, or friction.mu",
                  setup->def->friction.mu_d);
     } else if (hangs) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
-                 "would fall; give what carries it");
+                 "would fall; give supports");
     }
     *result = out;
     if (hangs) return HAWSER_OK;
@@ -330,17 +332,17 @@ int friction_is_given(const Setup *setup, double s)
     return isnan(s) && given >= setup->route->length * (1 - 1e-9);
 }
 
-/* The largest friction that something has, in motion or from rest. */
+/* The largest friction of anything, moving or from rest. */
 typedef struct Rough {
     double mu;
     const char *name;
-    int rolls; /* it is its bearing's */
+    int rolls; /* it comes from a roller's bearing */
 } Rough;
 
 static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
 
-/* wedge: by how much walls that stand aslant press more than what lies between them weighs (GR9), (BU7). rolls: at most
- * so much, of a roller that turns. */
+/* Takes a friction law into the maximum. wedge: factor of the wall forces of a groove or V over the weight between them
+ * (GR9), (BU7). rolls: upper bound for a roller that turns. */
 static void friction_take(const FrictionLaw *law, double wedge, double rolls, const char *name, Rough rough[2])
 {
     const double mu[2] = {law->mu_d * wedge, at_rest(law) * wedge};
@@ -353,8 +355,8 @@ static double wedge_of(const RollerDef *roller)
     return roller->profile == SHAPE_V_GROOVE ? 1 / roller->groove.sine : 1;
 }
 
-/* A roller that spins holds the cable by its bearing (SP9), at most as if it stood; what does not go with the load is
- * most where the weight of the lightest cable (N/m) alone is on it. */
+/* Friction of a turning roller's bearing (SP9), not more than that of a blocked roller. The torque that does not depend
+ * on load counts most under the lightest cable's weight (N/m) alone. */
 static double bearing_friction(const Setup *setup, double lightest, int r)
 {
     const RollerDef *const roller = &setup->def->rollers[r];
@@ -365,8 +367,8 @@ static double bearing_friction(const Setup *setup, double lightest, int r)
     return tan(asin(sine)) + spin->torque / (roller->radius * lightest * roller_def_span(setup->def, r));
 }
 
-/* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
- * pull is too small. lightest: of the cable's pieces, N/m. */
+/* Checks the friction of rows, listed rollers and planes, which only a run uses: where it exceeds the case's friction,
+ * theory's pull is too small. lightest: weight of the cable's lightest piece, N/m. */
 static hawser_condition friction_of(const Setup *setup, double lightest)
 {
     const SceneDef *const def = setup->def;
@@ -383,20 +385,20 @@ static hawser_condition friction_of(const Setup *setup, double lightest)
         if (!surface_along_route(surface) && !friction_is_given(setup, NAN))
             friction_take(&surface->friction, 1, INFINITY, surface->name, rough);
     }
-    /* friction from rest is named where that alone is too large */
+    /* static friction is named only if it alone is too large */
     const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)) && rough[1].mu > given[1] * (1 + 1e-9);
     hawser_condition c = theory_condition(HAWSER_CONDITION_FRICTION, rough[rests].mu, given[rests]);
     c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
-             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give that, or "
-             "theory.stretches",
+             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give the larger one "
+             "there, or theory.stretches",
              rough[rests].name, rough[rests].rolls ? " by its bearing" : "", rests ? " from rest" : "", c.value,
              rests ? "mu_s" : "mu", c.allowed);
     return c;
 }
 
-/* Friction that the crew raises on the way is a run's as well: the largest factor of the script counts, whatever it is
- * of. */
+/* Checks friction that the script raises, which only a run uses: the largest factor of the script counts, whatever its
+ * target. */
 static void friction_told(const SceneDef *def, hawser_condition *c)
 {
     double factor = 1;
@@ -405,18 +407,18 @@ static void friction_told(const SceneDef *def, hawser_condition *c)
         if (told->kind == HAWSER_FRICTION) factor = fmax(factor, told->value);
     }
     if (!(factor > 1 + 1e-9) || !c->holds) return;
-    if (c->value == 0) c->value = c->allowed = 1; /* of what has friction of its own, a duct say */
+    if (c->value == 0) c->value = c->allowed = 1; /* of something with its own friction, for example a duct */
     c->value *= factor;
     c->holds = !(c->value > c->allowed * (1 + 1e-9));
     snprintf(c->remedy, sizeof c->remedy,
-             "drive.script makes friction %g times the case's, and the calculation takes that (friction.mu: %g): "
+             "drive.script makes friction %g times the case's, and the calculation takes the case's (friction.mu: %g): "
              "give the largest there, and factors of at most 1",
              factor, def->friction.mu_d);
 }
 
-static const double WET = 0.02; /* of a cable's weight, that the fluid around it may take or add */
+static const double WET = 0.02; /* largest share of the cable's weight that the fluid may remove or add */
 
-/* The calculation knows no fluid: what lifts a cable down a slope, or streams against it, is not in the pull. */
+/* Checks the medium. Theory ignores it: neither buoyancy on a slope nor a current is part of the pull. */
 static hawser_condition medium_of(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
@@ -431,13 +433,13 @@ static hawser_condition medium_of(const Setup *setup)
     }
     hawser_condition c = theory_condition(HAWSER_CONDITION_MEDIUM, most, WET);
     snprintf(c.remedy, sizeof c.remedy,
-             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation knows "
-             "none: a run does",
+             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation does "
+             "not include it: a run does",
              100 * most);
     return c;
 }
 
-/* The conveyor of that name; NULL: there is none. */
+/* The conveyor of that name; NULL if there is none. */
 static const ConveyorDef *conveyor_named(const SceneDef *def, const char *name)
 {
     for (int i = 0; i < def->n_conveyors; ++i)
@@ -445,18 +447,18 @@ static const ConveyorDef *conveyor_named(const SceneDef *def, const char *name)
     return NULL;
 }
 
-/* What a command does to a conveyor that may then push less; NULL: nothing of that sort. */
+/* Effect of a command on a conveyor that may push less afterwards, as a verb; NULL if there is none. */
 static const char *conveyor_told(const SceneDef *def, const Command *told)
 {
     const ConveyorDef *const c = conveyor_named(def, told->what);
     if (c && told->kind == HAWSER_CONVEYOR_SPEED) return "changes the speed of";
     if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value < c->clamp) return "opens";
     if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value > c->clamp && (!c->sync || c->factor < 1))
-        return "clamps"; /* it may brake */
+        return "clamps"; /* it may act as a brake */
     return c && told->kind == HAWSER_JAM ? "stops" : NULL;
 }
 
-/* Whether it is a roller, over which the cable drags where it jams. */
+/* Checks whether the name is that of a roller, over which the cable slides when it jams. */
 static int is_roller(const SceneDef *def, const char *name)
 {
     for (int r = 0; r < def->n_rollers; ++r)
@@ -464,19 +466,19 @@ static int is_roller(const SceneDef *def, const char *name)
     return 0;
 }
 
-static const double LATE = 1; /* m that the winch has hauled when something comes in: theory has it from the start */
+static const double LATE = 1; /* m hauled by the winch when something starts: theory counts it from the beginning */
 
-static const double MORE = 1.05; /* times what is needed, with which a winch of set tension pulls */
+static const double MORE = 1.05; /* times the required force with which a winch of set tension pulls */
 
 static void drive_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
 {
     out->value = 1;
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not know: a run does", section,
-             does, name);
+    snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not include: a run does",
+             section, does, name);
 }
 
-/* A belt of its own speed that a faster winch would have to draw along; NULL: there is none. */
+/* A belt with its own speed that a faster winch would drag along; NULL if there is none. */
 static const char *belt_outrun(const SceneDef *def, double speed)
 {
     for (int i = 0; i < def->n_conveyors; ++i) {
@@ -486,14 +488,14 @@ static const char *belt_outrun(const SceneDef *def, double speed)
     return NULL;
 }
 
-/* What the winch may have hauled by then, m. */
+/* Largest length that the winch may have hauled by time t, m. */
 static double hauled_by(const Setup *setup, double t)
 {
     return setup->def->winch.mode == WINCH_TENSION ? winch_def_limit(&setup->def->winch) * t
                                                    : profile_integral(&setup->def->winch.speed, t);
 }
 
-/* A motor that comes in when the winch has hauled for a metre or more; NULL: there is none. */
+/* A motor that starts after the winch has hauled for a metre or more; NULL if there is none. */
 static const char *motor_late(const Setup *setup)
 {
     for (int r = 0; r < setup->def->n_rollers; ++r) {
@@ -509,13 +511,13 @@ static void conveyor_doubted(const char *section, const char *does, const char *
 {
     out->value = 1;
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy,
-             "%s %s conveyor '%.24s', and the calculation takes it as it was before: say it in section conveyors as it "
-             "is at worst",
-             section, does, name);
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "%s %s conveyor '%.24s', and the calculation takes it unchanged: give its worst state in section conveyors",
+        section, does, name);
 }
 
-/* The least of the winch's set tension from when it has risen until the front can be at the end, N. */
+/* The least of the winch's set tension from its first rise until the front can be at the end, N. */
 static double tension_set(const Setup *setup)
 {
     const Profile *const set = &setup->def->winch.tension;
@@ -527,14 +529,15 @@ static double tension_set(const Setup *setup)
     for (int i = 0; i < setup->def->n_script && setup->def->script[i].at <= until; ++i) {
         const Command *const c = &setup->def->script[i].command;
         if (c->kind != HAWSER_WINCH_TENSION) continue;
-        least =
-            c->value >= least && !(told > c->value) ? c->value : fmin(least, c->value); /* raised: it waits for it */
+        least = c->value >= least && !(told > c->value)
+                    ? c->value
+                    : fmin(least, c->value); /* a raised setting counts as the pull waits for it */
         told = c->value;
     }
     return least;
 }
 
-/* The largest of it in the run, N: the script's takes over. */
+/* Largest set tension of the run, N; the script's settings replace the winch's. */
 static double tension_most(const Setup *setup)
 {
     double until = setup->def->duration > 0 ? setup->def->duration : INFINITY, most = 0;
@@ -547,8 +550,8 @@ static double tension_most(const Setup *setup)
     return fmax(most, profile_largest_until(&setup->def->winch.tension, until));
 }
 
-/* The calculation takes conveyors, rollers and motors as the case has them, not as the crew changes them or as they
- * jam. */
+/* Checks the drive: theory takes conveyors, rollers and motors as the case defines them, without changes by the script
+ * and without jams. */
 static hawser_condition drive_told(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
@@ -571,11 +574,11 @@ static hawser_condition drive_told(const Setup *setup)
             conveyor_doubted("drive.script", "outruns", outrun, &out);
     }
     const char *const late = motor_late(setup);
-    if (late && out.holds) drive_doubted("rollers", "have a motor that comes in late,", late, &out);
+    if (late && out.holds) drive_doubted("rollers", "have a motor that starts late,", late, &out);
     return out;
 }
 
-/* Where the winch needs least, with the front where it begins or at a corner ahead of that. */
+/* Finds the least winch force with the front at its beginning or at a corner ahead of it. */
 static hawser_status least_needed(const Setup *setup, const Calculator *c, int way, HeadForce *least, hawser_error *err)
 {
     const double forth = way == PLAN_BACKWARD ? -1 : 1, begins = fmax(0, setup->front);
@@ -589,7 +592,7 @@ static hawser_status least_needed(const Setup *setup, const Calculator *c, int w
     return status;
 }
 
-/* A set tension that no speed bounds is the pull all the way, also where less is needed. */
+/* Checks a set tension without a speed limit: it is the pull all along, also where less is needed. */
 static hawser_status drive_unbounded(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                      hawser_error *err)
 {
@@ -607,8 +610,8 @@ static hawser_status drive_unbounded(const Setup *setup, const Calculator *c, in
     return HAWSER_OK;
 }
 
-/* A belt that runs with the winch takes over what lengths leave it, which may be nothing (condition `shared` of a run).
- */
+/* Checks whether a belt runs at the winch's speed. Such a belt takes over what the stretch ahead leaves it, which may
+ * be nothing (condition `shared` of a run). */
 static int runs_with_winch(const Setup *setup, const Pusher *by)
 {
     if (by->kind != PUSH_BELT) return 0;
@@ -616,7 +619,7 @@ static int runs_with_winch(const Setup *setup, const Pusher *by)
     return setup->def->winch.present && belt->sync && belt->factor <= 1 && belt->factor >= 1;
 }
 
-/* N, by which the winch pulls more, or the cable has more, without those belts; NULL: there are none. */
+/* Finds the increase of winch force or cable tension without those belts, N; *first is NULL if there are none. */
 static hawser_status without_belts(const Setup *setup, const Calculator *c, int way, double *more, const Pusher **first,
                                    hawser_error *err)
 {
@@ -650,7 +653,7 @@ static hawser_status without_belts(const Setup *setup, const Calculator *c, int 
     return HAWSER_OK;
 }
 
-/* Who pulls, the winch or belts that run with it, nobody knows: limits must hold whoever does. */
+/* Checks limits with and without belts that run at the winch's speed: how they share the pull is unknown. */
 static hawser_status drive_shared(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                   hawser_error *err)
 {
@@ -664,14 +667,15 @@ static hawser_status drive_shared(const Setup *setup, const Calculator *c, int w
     *out = theory_condition(HAWSER_CONDITION_DRIVE, more, left);
     out->unit = "N";
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy,
-             "'%s' runs with the winch, so that lengths decide who of them pulls: without it %.4g kN more are needed, "
-             "and '%s' has %.4g kN left; give it a 'factor' of 1.02",
-             first->name, more / 1e3, least->name, left / 1e3);
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "'%s' runs with the winch, so that it is not known which of them pulls: without it %.4g kN more are needed, "
+        "and '%s' has %.4g kN left; give it a 'factor' of 1.02",
+        first->name, more / 1e3, least->name, left / 1e3);
     return HAWSER_OK;
 }
 
-/* What drives the cable is known, and can: a winch of a set tension stops where that is not enough. */
+/* Checks whether the drive is known and sufficient: a winch of set tension stops where that is too small. */
 static hawser_status drive_of(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
     const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
@@ -703,21 +707,21 @@ hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *e
     return status ? status : supported_by(setup, c, &c->known[KNOWN_SUPPORT], err);
 }
 
-/* What a winch pulls as it starts beside belts that run with it: docs/model/72-winch-and-conveyors.md (WI24). */
+/* Winch force at a start beside belts that run with the winch: docs/model/72-winch-and-conveyors.md (WI24). */
 
-enum { STEPS = 16 }; /* of a span */
+enum { STEPS = 16 }; /* per span */
 
-/* What the waves of a start bring at most: 19 % in random runs. */
+/* Factor for the waves of a start: at most 19 % in random runs. */
 static const double WAVES = 1.2;
 
 /* The line from the belt to the winch, in the pull's order. */
 typedef struct Line {
     const Pull *pull;
-    int first, n;         /* the span that begins at the belt, places */
-    double *s, *rest, *c; /* [n] m; N, tension at rest, without friction; 1/N, give of a metre from there on */
+    int first, n;         /* span that begins at the belt; number of places */
+    double *s, *rest, *c; /* [n] m; N, tension at rest, without friction; 1/N, strain per tension from there on */
 } Line;
 
-/* By how much a tension changes from place k to the next, or to the one before, with all of the friction. */
+/* Change of tension from place k to the next or (`back`) the previous one, with full friction. */
 static double step_of(const Line *l, int k, int back, double tension)
 {
     const SpanLaw *const law = &l->pull->span[l->first + k / STEPS].law;
@@ -726,15 +730,15 @@ static double step_of(const Line *l, int k, int back, double tension)
     return way * span_rate(law, middle, tension + half);
 }
 
-/* m of way for each metre of a bend in a duct that the cable takes from the bottom to the outer side. */
+/* Path gained per metre of a bend in a duct when the cable moves from the bottom to the outer side, 1. */
 static double play_of(const Line *l, int k)
 {
     const SpanLaw *const law = &l->pull->span[l->first + k / STEPS].law;
     return law->room * span_frame(&law->line, (l->s[k] + l->s[k + 1]) / 2).curvature;
 }
 
-/* From place `meet` on to the winch, or back to the belt: the tension there; *give: m, by how much that way has become
- * longer or shorter since rest. */
+/* Tension at the winch, or (`back`) at the belt, when the cable moves from place `meet` on; *give: change in length of
+ * that stretch since rest, m. */
 static double moved(const Line *l, int meet, int back, double *give)
 {
     double tension = l->rest[meet];
@@ -749,13 +753,13 @@ static double moved(const Line *l, int meet, int back, double *give)
     return tension;
 }
 
-/* The place (WI24): share of the way from `at` to the next. */
+/* The meeting place (WI24), at a share of the distance from place `at` to the next. */
 typedef struct Meeting {
     int at;
     double share;
 } Meeting;
 
-/* m, by how much the winch has come farther than the belt, of its share, where they meet at that place. */
+/* Excess of the winch's travel over the belt's share of it if they meet at that place, m. */
 static double ahead_by(const Line *l, int meet, double factor)
 {
     double ahead, behind;
@@ -775,7 +779,7 @@ static Meeting meeting(const Line *l, double factor)
     return (Meeting){low, before > behind ? fmin(fmax(before / (before - behind), 0), 1) : 0};
 }
 
-/* N, at the last place of the line. */
+/* Tension at the last place of the line, N. */
 static double drawn_from(const Line *l, Meeting m)
 {
     const int last = l->n - 1, next = m.at + 1 < last ? m.at + 1 : last;
@@ -813,8 +817,8 @@ static hawser_status line_fill(const Setup *setup, Line *l, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The last that pushes along the pull behind the front, if it is a belt that runs ahead of the winch and comes to its
- * force by that; NULL. */
+/* The last pusher behind the front along the pull, if it is a belt that runs ahead of the winch and builds up its force
+ * in this way; else NULL. */
 static const Pusher *last_belt(const Setup *setup, const Calculator *c, double *factor)
 {
     const Pusher *last = NULL;
@@ -826,7 +830,8 @@ static const Pusher *last_belt(const Setup *setup, const Calculator *c, double *
     return setup->def->winch.present && belt->sync && belt->factor > 1 ? last : NULL;
 }
 
-/* N, of cable's front and winch while the belts come to their force, with the front where the case begins. */
+/* Finds the tension at the cable's front and at the winch, N, while the belts build up their force, with the front at
+ * its first place. */
 static hawser_status start_find(const Setup *setup, const Calculator *c, const Pusher *by, double factor, double *head,
                                 double *winch, hawser_error *err)
 {
@@ -852,7 +857,7 @@ static hawser_status start_find(const Setup *setup, const Calculator *c, const P
     return status;
 }
 
-/* What a limit is of, of these two; NAN: it is of neither. */
+/* The one of these two that a limit judges; NAN if neither. */
 static double started_of(const hawser_limit *limit, double head, double winch)
 {
     if (!limits_is(limit->kind, LIMIT_PULLS)) return NAN;
@@ -875,11 +880,11 @@ hawser_status started_judge(const Setup *setup, const Calculator *c, hawser_cond
         most = found * WAVES / limit->limit;
         *out = theory_condition(HAWSER_CONDITION_DRIVE, found, limit->limit / WAVES);
         out->unit = "N";
-        snprintf(
-            out->remedy, sizeof out->remedy,
-            "at the start '%.40s' pushes only as the cable ahead gives way: %.4g kN, by waves up to a fifth more, are "
-            "needed, and '%s' allows %.4g kN; start it first",
-            by->name, found / 1e3, limit->name, limit->limit / 1e3);
+        snprintf(out->remedy, sizeof out->remedy,
+                 "at the start '%.40s' pushes only as the cable ahead moves: %.4g kN, with waves up to a "
+                 "fifth more, are "
+                 "needed, and '%s' allows %.4g kN; start it first",
+                 by->name, found / 1e3, limit->name, limit->limit / 1e3);
     }
     return status;
 }

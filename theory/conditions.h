@@ -1,5 +1,4 @@
-/* What cannot be pulled, whatever is calculated of it: found before anything runs, by check and run, most of it by
- * theory. */
+/* Pulls that are impossible: checked by `check` and `run` before anything is simulated, mostly by theory. */
 #ifndef HAWSER_THEORY_CONDITIONS_H
 #define HAWSER_THEORY_CONDITIONS_H
 
@@ -7,12 +6,13 @@
 
 enum { CANNOT_SAYS = 280 };
 
-/* A winch pulls at the cable's or the rope's end along the route's end: round a bend that is through the wall. Writes
- * what is wrong; returns the key to change, NULL if the end is on the last straight, or all but. Theory has a rope
+/* Checks whether a cable's head without a rope has to go round a bend before the route's end. Writes the fault and
+ * returns the key to change; returns NULL if the head is on the last straight or nearly so. Theory assumes a rope
  * there. */
 const char *head_before_bend(const Setup *setup, char says[CANNOT_SAYS]);
-/* Errors: INPUT, with the place and the key to change; MEMORY. Of a case that says how it is run; a rod has no pull.
- * moves: it is to be run as it stands; theory has figures all the same, and conditions that fail. */
+/* Checks whether a pull is possible, for cases that define how they are run; a rod has no pull. moves: the case is to
+ * be run as it is; theory has results in any case, with conditions that fail. Errors: INPUT, with the place and the key
+ * to change; MEMORY. */
 hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err);
 
 #endif

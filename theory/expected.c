@@ -11,8 +11,7 @@
 
 /* --------------------------------------------------------------------------- what holds back where the route begins */
 
-/* Of the tension where the route begins: the largest of the whole pull, and the least once the back tension has risen
- * from where it begins, N. */
+/* Tension where the route begins, N: the largest of the whole pull, and the least once the back tension has risen. */
 typedef struct Starts {
     double largest, least;
 } Starts;
@@ -21,7 +20,7 @@ const Profile *starts_back(const Setup *setup) { return &setup->def->tail.tensio
 
 /* ------------------------------------------------------------------------------------------------ the reel */
 
-/* The length on the drum with the front there, m; below 0: the cable has left it. */
+/* Length on the drum with the front at `front`, m; below 0: the cable has left it. */
 static double wound_at(const Setup *setup, double front)
 {
     return cable_length(setup->def) - front - setup->def->reel.distance;
@@ -38,7 +37,8 @@ double starts_leaves(const Setup *setup)
     return setup_reel(setup) && !r->end_fixed ? cable_length(setup->def) - r->distance : INFINITY;
 }
 
-/* With so much wound (m) and so much pulled at a speed, m/s; the brake gives that share of its torque. */
+/* Back tension of the reel with a wound length (m), pulled at a speed (m/s), and the brake at a share of its torque, N.
+ */
 static double reel_with(const Setup *setup, double share, double wound, double back, double speed)
 {
     const ReelBrake brake = reel_brake_of(setup->def);
@@ -48,15 +48,15 @@ static double reel_with(const Setup *setup, double share, double wound, double b
     return back + reel_brake_torque(&brake, share, radius, speed, setup->def->duration, &by_radius, &by_v) / radius;
 }
 
-/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the cable's front at
- * `front` (m along the route), N; 0 once the cable has left it. */
+/* Computes what brake and bearing of the reel hold back at full speed, back tension included, with the cable's front at
+ * `front` (m along the route), N; 0 once the cable has left the reel. */
 static double starts_reel(const Setup *setup, double front, double back)
 {
     const double wound = wound_at(setup, front), share = profile_value(&setup->braked, setup->def->duration);
     return starts_left(setup, front) ? 0 : reel_with(setup, share, wound, back, setup->largest_speed);
 }
 
-/* The largest or the least share of its torque that the brake gives, by the script (K5). */
+/* Largest or least share of its torque that the brake gives according to the script (K5). */
 static double share_braked(const Setup *setup, int largest)
 {
     double share = 1;
@@ -69,7 +69,7 @@ static double share_braked(const Setup *setup, int largest)
     return share;
 }
 
-/* The slowest pull that lasts, m/s, by winch and script: a brake that goes with the speed holds least then. */
+/* Slowest lasting pull of winch and script, m/s: a brake that depends on speed holds least then. */
 static double slowest(const Setup *setup)
 {
     double least = fmin(setup->largest_speed, winch_def_slowest(&setup->def->winch, setup->def->duration));
@@ -90,7 +90,7 @@ double starts_fastest(const Setup *setup)
     return most;
 }
 
-/* What it holds back with at least while it has cable, with that back tension, N. */
+/* Least back tension of the reel while it has cable, N; `back` included. */
 static double reel_least(const Setup *setup, double back)
 {
     const double before = wound_at(setup, setup->front);
@@ -99,8 +99,9 @@ static double reel_least(const Setup *setup, double back)
                 reel_with(setup, share, before, back, setup->largest_speed));
 }
 
-/* The radius shrinks as the cable leaves, so that the brake holds most at the end, with the last of it still on the
- * drum, and least at the beginning; a cable that leaves the drum on the way is held by nothing then. */
+/* Computes the range of the reel's back tension. The radius shrinks as the cable leaves, so the brake holds most with
+ * the last of it still on the drum, and least at the beginning; nothing holds a cable that leaves the drum on the way.
+ */
 static Starts reel_range(const Setup *setup)
 {
     const double in = setup->def->winch.take_in ? setup->winch_at : 0, last = fmax(setup->route->length, in);
@@ -114,15 +115,15 @@ static Starts reel_range(const Setup *setup)
 
 /* ---------------------------------------------------------------------------------------- cable behind the start */
 
-/* Between the drum and the start there is never more. */
+/* Cable between the drum and the start is never longer than their distance. */
 static double length_behind(const Setup *setup, double length)
 {
     const double most = setup_reel(setup) ? setup->def->reel.distance : INFINITY;
     return fmin(fmax(length, 0), most);
 }
 
-/* Of the cable behind the route's start, what of its weight along the slope the lead-in leaves to it, N; `length` m lie
- * there. */
+/* Weight component along the slope, N, of `length` m of cable behind the route's start that the lead-in does not carry.
+ */
 static double starts_weight(const Setup *setup, double length)
 {
     const SceneDef *const def = setup->def;
@@ -137,8 +138,8 @@ static double starts_weight(const Setup *setup, double length)
     return -mass * v3_dot(setup->behind, setup->direction);
 }
 
-/* Whether anything that the case has may carry cable behind the start: where nothing does it hangs, and is no part of
- * the pull. */
+/* Checks whether anything in the case may carry cable behind the start. Without it the cable hangs there and is not
+ * part of the pull. */
 static int carried_behind(const SceneDef *def)
 {
     for (int r = 0; r < def->n_rollers; ++r)
@@ -166,7 +167,7 @@ double starts_least_at(const Setup *setup, double t)
     return setup_reel(setup) ? reel_least(setup, back) : back;
 }
 
-/* The tension there while the front goes from where it begins to the route's end. */
+/* Tension there while the front moves from its first place to the route's end. */
 static Starts starts_of_pull(const Setup *setup)
 {
     if (setup_reel(setup)) return reel_range(setup);
@@ -180,11 +181,12 @@ double expected_end(const Setup *setup) { return setup->def->winch.take_in ? set
 int expected_follows(const Setup *setup)
 {
     const double tail = setup->tail + setup_travel(setup, setup->def->duration);
-    const int comes_in = setup->lead_in && !setup->def->drum.present && tail > 0; /* from behind the start */
+    const int comes_in =
+        setup->lead_in && !setup->def->drum.present && tail > 0; /* the tail comes in from behind the start */
     return comes_in || setup_reel(setup) || setup->def->winch.take_in;
 }
 
-/* How far rope lies on the route ahead of a front that has moved by `moved`. */
+/* Place that the rope reaches on the route after the front has moved by `moved`, m. */
 static double rope_end(const Setup *setup, double moved)
 {
     if (!setup->has_rope) return -1e9; /* no rope */
@@ -192,8 +194,7 @@ static double rope_end(const Setup *setup, double moved)
     return fmin(setup->route->length, setup->head + moved);
 }
 
-/* What pulls the cable off a drum on which it is wound, in steady motion: the brake, and the work of straightening
- * (CC25). */
+/* Tension to pull the cable off a drum in steady motion: the brake, and the work of straightening (CC25). */
 static double drum_tension(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
@@ -201,8 +202,9 @@ static double drum_tension(const Setup *setup)
     return def->drum.torque / radius + def->cables[def->pieces[0].cable].ei_z / (2 * radius * radius);
 }
 
-/* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. A
- * chain that draws others, and rope ahead of it, lie between them and the route's end: nothing carries it beyond. */
+/* Sets the ranges of cable and rope. The cable reaches from its tail, or from the route's start (the lead-in behind it
+ * is frictionless), to its front. A chain that pulls others, and rope ahead of it, count up to the route's end, since
+ * nothing carries them beyond. */
 static void front_set(const Setup *setup, double front, double back, Expected *out)
 {
     const double moved = front - setup->front, tail = setup->tail + moved;
@@ -219,8 +221,8 @@ static void front_set(const Setup *setup, double front, double back, Expected *o
     if (setup->lead_in) out->start_tension += starts_weight(setup, out->from - tail);
 }
 
-/* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
- * whole cable moves along, and so does its front where what is behind the start weighs too. */
+/* Sets the counted stretch: it ends where the cable's front was at t = 0, unless theory follows the front. Without a
+ * lead-in the whole cable moves along, and so does its front if the cable behind the start has weight too. */
 static void stretch_of(const Setup *setup, Expected *out)
 {
     const double from = setup->def->output.steady_from, to = setup->def->duration;
@@ -240,7 +242,7 @@ static void stretch_of(const Setup *setup, Expected *out)
     out->passed = front + shift;
     out->to = out->rope_to = front + (v3_norm(setup->behind) > 1e-9 ? moved : shift);
     if (!(setup->def->drag.force > 0))
-        out->rope_to = fmax(out->to, rope_end(setup, out->to - front)); /* else that is its drag */
+        out->rope_to = fmax(out->to, rope_end(setup, out->to - front)); /* otherwise this is the rope's drag */
     out->start_tension = profile_value(&setup->def->tail.tension, setup->def->duration);
     if (setup->lead_in) out->start_tension += starts_weight(setup, -setup->tail - moved);
     if (!setup->def->drum.present) return;
@@ -248,7 +250,7 @@ static void stretch_of(const Setup *setup, Expected *out)
     out->start_fall = 0;
 }
 
-/* What lies from `at` on has this weight, N/m. There is room for a stretch more. */
+/* Sets the weight from place `at` on, N/m. The array needs space for one more stretch. */
 static void weight_from(Stretches *s, double at, double weight)
 {
     stretches_cut(s, at);
@@ -257,7 +259,7 @@ static void weight_from(Stretches *s, double at, double weight)
     }
 }
 
-/* The pieces of the cable, which end at its front, and rope ahead of it have weights of their own. */
+/* Sets the separate weights of the cable's pieces, which end at its front, and of the rope ahead. */
 static hawser_status stretches_of(const Setup *setup, const Expected *e, Stretches *s, hawser_error *err)
 {
     const SceneDef *const def = setup->def;
@@ -313,7 +315,7 @@ hawser_status expected_pull(const Setup *setup, const Expected *e, PullLaw law, 
     return pull_with(setup, e, law, NULL, pull, err);
 }
 
-/* Who pushes a pull, and what each pushes with. */
+/* The pushers of a pull and their pushes. */
 typedef struct Pushing {
     const Setup *setup;
     Expected *e;
@@ -327,8 +329,8 @@ static double pusher_push(void *of, int i, double arriving)
     return push;
 }
 
-/* Sets the steps in one pull: each needs the tension that the ones before it leave. Beyond the pull's ends nothing
- * pushes. */
+/* Sets the steps of one pull, each from the tension that the earlier ones leave. Nothing pushes beyond the pull's ends.
+ */
 static hawser_status steps_fill(const Setup *setup, Expected *out, hawser_error *err)
 {
     const int n = setup->n_pushers;
@@ -344,7 +346,7 @@ static hawser_status steps_fill(const Setup *setup, Expected *out, hawser_error 
     Pull pull;
     const hawser_status status = pull_with(setup, out, PULL_REFERENCE, &(PushLaw){pusher_push, &pushing}, &pull, err);
     if (status) return status;
-    for (int i = 0; i < n; ++i) out->step[i].kind = STEP_ADD; /* they are known now */
+    for (int i = 0; i < n; ++i) out->step[i].kind = STEP_ADD; /* the forces are known now */
     pull_clear(&pull);
     return HAWSER_OK;
 }
@@ -374,9 +376,10 @@ double expected_start(const Setup *setup, double front, double back)
     return e.start_tension;
 }
 
-enum { RELIEF_PLACES = 200 }; /* of the front */
+enum { RELIEF_PLACES = 200 }; /* places of the front */
 
-/* Rope all along the way ahead of where the front begins, held by its weight and the friction of that. */
+/* Computes the relief for rope that fills the way ahead of the front's first place and is held by its weight and
+ * friction. */
 hawser_status expected_relief(const Setup *setup, double to, double *relief, hawser_error *err)
 {
     const SceneDef *const def = setup->def;
@@ -425,7 +428,7 @@ void expected_free(Expected *e)
 
 static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->passed + 1e-9; }
 
-/* The paper's formulas of the case, or the same theory without capstan terms along the route. */
+/* Fills the paper's formulas, or for a case without them the same theory without capstan terms along the route. */
 static hawser_status paper_fill(const Setup *setup, int n, hawser_station *station, Expected *out, hawser_error *err)
 {
     const SceneDef *const def = setup->def;

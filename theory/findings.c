@@ -14,7 +14,7 @@
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
-/* The largest force that presses the belts, in the case and in its script, N. */
+/* Largest clamping force of the conveyor in the case and its script, N. */
 static double clamp_of(const SceneDef *def, const ConveyorDef *c)
 {
     double clamp = c->clamp;
@@ -26,7 +26,7 @@ static double clamp_of(const SceneDef *def, const ConveyorDef *c)
     return clamp;
 }
 
-/* Belts press with all they have between their edges, N/m (WI13). */
+/* Finds the largest squeeze, N/m: clamping force over the belts' length between their edges (WI13). */
 static Finding squeeze(const SceneDef *def)
 {
     Finding f = {.absent = def->n_conveyors == 0};
@@ -56,7 +56,7 @@ static int has_rating(const SceneDef *def)
     return 0;
 }
 
-/* The largest speed that the script tells winch or belts (`kind`), m/s. */
+/* Largest speed that the script gives winch or belts (`kind`), m/s. */
 static double speed_told(const SceneDef *def, int kind)
 {
     double most = 0;
@@ -77,7 +77,7 @@ double belts_largest_speed(const SceneDef *def)
     return most;
 }
 
-/* As the case and its script have it; without a winch the belts draw. */
+/* Finds the largest speed of the case and its script; without a winch that of the belts. */
 static Finding speed_said(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
@@ -86,7 +86,7 @@ static Finding speed_said(const Setup *setup)
     Finding f = {.value =
                      fmax(winch_def_largest(&setup->def->winch, def->duration), speed_told(def, HAWSER_WINCH_SPEED))};
     if (winch->mode == WINCH_TENSION && !isfinite(winch_def_limit(&setup->def->winch))) f.value = NAN;
-    snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
+    snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: only a run gives it");
     return f;
 }
 
@@ -113,13 +113,14 @@ void findings_trip(const Setup *setup, double force, double steady, double beyon
 
 /* -------------------------------------------------------------------------------------------------- the run-away */
 
-/* Whether it is pushed by no more than is allowed; what the pull is then. */
+/* Checks whether the compression stays within its allowed value with `more` tension at the start; sets the pull's
+ * maximum and end tension. */
 static int holds_with(const Braked *b, double more, double *most, double *end)
 {
     Pull pull;
-    if (b->solve(b, more, &pull)) return 1; /* theory has no answer, and whoever asked for the pull has said so */
+    if (b->solve(b, more, &pull)) return 1; /* theory has no result, which is reported elsewhere */
     double allowed = 1e-9 * fmax(1, pull.max_tension);
-    for (int i = 0; i < b->n_steps; ++i) { /* machines push what is ahead of them */
+    for (int i = 0; i < b->n_steps; ++i) { /* compression by machines is allowed ahead of them */
         if (b->step[i].at <= pull.min_at + 1e-6) allowed = fmax(allowed, -b->step[i].force);
     }
     const int holds = -pull.min_tension <= allowed;
@@ -129,7 +130,7 @@ static int holds_with(const Braked *b, double more, double *most, double *end)
     return holds;
 }
 
-/* All N. */
+/* Writes the reason; all values in N. */
 static void run_away_say(double pushed, double brake, double winch, Finding *out)
 {
     snprintf(out->why, sizeof out->why,
@@ -141,8 +142,8 @@ static void run_away_say(double pushed, double brake, double winch, Finding *out
              pushed / 1e3, brake / 1e3, winch / 1e3);
 }
 
-/* The brake that is missing where a pull begins, so that the cable is pushed by no more than is allowed, N; 0: none.
- * With it what the winch then needs, in words. (LI12) */
+/* Finds the brake that is missing where a pull begins to keep compression within its allowed value, N; 0: none. The
+ * text gives the winch force with this brake. (LI12) */
 static void findings_run_away(const Braked *b, Finding *finding)
 {
     Pull pull;
@@ -173,7 +174,7 @@ static void findings_run_away(const Braked *b, Finding *finding)
 
 /* ---------------------------------------------------------------------------------------------------- what buckles */
 
-/* The machine that pushes at s: the strongest of those behind it is who does. */
+/* The machine that pushes at s: the nearest one behind it. */
 static const char *pusher_of(const Setup *setup, const Pull *pull, double s)
 {
     const double forth = pull->span[0].s1 > pull->span[0].s0 ? 1 : -1;
@@ -188,7 +189,7 @@ static const char *pusher_of(const Setup *setup, const Pull *pull, double s)
     return name;
 }
 
-/* Which rule the critical load is by, with its source. */
+/* Writes the rule of the critical load with its source. */
 static void buckling_say(const Buckling *b, Finding *f)
 {
     if (b->by == STRAIGHT_DUCT)
@@ -198,7 +199,7 @@ static void buckling_say(const Buckling *b, Finding *f)
         snprintf(f->why, sizeof f->why, "Euler, pi2 EI/l2: nothing holds it straight for l = %.4g m", b->wave);
 }
 
-/* m along the pull in which it is pushed, without a break. */
+/* Total length in compression along the pull, m, of spans that adjoin. */
 static double pushed_as_far(int n, const Buckling *row)
 {
     double length = 0;
@@ -209,12 +210,12 @@ static double pushed_as_far(int n, const Buckling *row)
 Finding findings_no_push(const Setup *setup)
 {
     Finding f = {.rating = INFINITY, .absent = !(setup->n_pushers > 0 || setup->def->theory.feed > 0)};
-    snprintf(f.why, sizeof f.why, "nothing pushes it by more than a metre of it weighs");
+    snprintf(f.why, sizeof f.why, "no push is larger than the weight of a metre of cable");
     return f;
 }
 
-/* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that
- * is meant; both as they are where nothing does. Errors: MEMORY. (LI14) */
+/* Finds HAWSER_LIMIT_BUCKLING of a pull with pushing machines, and the text of HAWSER_LIMIT_RUN_AWAY for an intended
+ * push; without a push both stay unchanged. Errors: MEMORY. (LI14) */
 static hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull,
                                       Finding finding[LIMIT_KINDS], hawser_error *err)
 {
@@ -241,7 +242,7 @@ static hawser_status findings_of_push(const Setup *setup, const Route *route, co
 
 /* --------------------------------------------------------------------------------------------------- of theory */
 
-/* As findings_run_away, by the plan, which knows more of a pull than its stretches. */
+/* Same as findings_run_away, but by the plan, which includes more than the stretches of a pull. */
 static hawser_status way_run_away(const Setup *setup, const Route *route, const Calculator *c, int way, Finding *out,
                                   hawser_error *err)
 {
@@ -271,7 +272,7 @@ static int has_machines(const Calculator *c)
     return n > 0;
 }
 
-/* What machines of the section `theory` take off of a pull, or of those to come, if one takes more than `f` has. */
+/* Takes in what the machines of section `theory` take off a pull if one of them takes more than `f` has. */
 static void machines_push(const Calculator *c, const Pull *pull, Finding *f)
 {
     for (int i = 0; i < c->def.n_steps; ++i) {
@@ -281,7 +282,7 @@ static void machines_push(const Calculator *c, const Pull *pull, Finding *f)
     }
 }
 
-/* The largest push: of a conveyor, of a machine, at speed or from rest (PN2), of what feeds the cable. */
+/* Finds the largest push of conveyors, machines (moving or from rest, PN2) and the feed. */
 static hawser_status largest_push(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
 {
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
@@ -305,12 +306,12 @@ static hawser_status largest_push(const Setup *setup, const Calculator *c, int w
     return HAWSER_OK;
 }
 
-/* All of these for one way of a calculator whose pull on the rope is in `finding`. Errors: MEMORY. */
+/* Finds all of these for one direction of a calculator; `finding` contains the pull on the rope. Errors: MEMORY. */
 static hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
                                      Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
-    /* the eye comes to every place, at speed and from rest, and has the cable's tension there (LI10a) */
+    /* the eye passes every place, moving and from rest, with the cable's tension there (LI10a) */
     finding[HAWSER_LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
                                            ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
                                            : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
@@ -323,7 +324,7 @@ static hawser_status findings_of_way(const Setup *setup, const Route *route, con
     if (finding[HAWSER_LIMIT_RUN_AWAY].value > 0) finding[HAWSER_LIMIT_TRIP].steady = NAN;
     findings_of_scene(setup, finding);
     finding[HAWSER_LIMIT_ROPE_BEND] = rope_bend(setup, route, 0, c->roller);
-    /* machines that are asked for push too, if there are none yet */
+    /* machines that are to be placed push too, even if there are none yet */
     const int asked = has_machines(c) || !isnan(setup->def->theory.machine_push);
     if (c->def.feed > 0 || asked) finding[HAWSER_LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
@@ -345,8 +346,8 @@ static hawser_status solve_run(const Braked *b, double more, Pull *out)
     return expected_pull(run->setup, &e, PULL_REFERENCE, out, NULL);
 }
 
-/* What pushes taken out of the pull: by it alone a slope may push the cable, whatever bends leave of a push before.
- * `step` is malloc'ed, the caller's. */
+/* Copies theory's figures without the pushers: a slope may cause compression by itself, whatever bends leave of an
+ * earlier push. The caller frees `step`. */
 static hawser_status without_pushes(const Expected *e, Expected *out, hawser_error *err)
 {
     *out = *e;
@@ -390,8 +391,7 @@ hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding fin
     return found;
 }
 
-/* What follows from a pull that is solved: the limits and whether they hold, which way is better, the trip, the brake.
- */
+/* Results of a solved pull: limits and whether they hold, the better direction, trip and brake. */
 
 /* ------------------------------------------------------------------------------------------------- limits */
 
@@ -409,7 +409,7 @@ static Finding bend_finding(const Calculator *c, int way)
     return f;
 }
 
-/* At speed or from rest, whichever presses more; a route that is straight presses nowhere. */
+/* Finds the largest sidewall pressure, moving or from rest; a straight route has none. */
 static Finding sidewall_finding(const Route *route, const PlanWay *way)
 {
     const Pull *const pull = &way->pull;
@@ -442,7 +442,7 @@ static double load_beside_bend(const Setup *setup, const Pull *pull, const Besid
     return hypot(fmax(0, setup->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
 }
 
-/* What a roller of the piece bears, N: where guides stand beside the carriers, each what goes its way. */
+/* Load of a roller on the piece, N: with guides beside the carriers, each bears the force toward it. */
 static double load_on(const Setup *setup, const Calculator *c, const PlanWay *way, const RollerDef *roller)
 {
     const int p = route_at(setup->route, roller->s).piece;
@@ -451,7 +451,7 @@ static double load_on(const Setup *setup, const Calculator *c, const PlanWay *wa
     return roller_is_guide(setup->route, roller) ? piece->guided : piece->carried;
 }
 
-/* Takes in what a roller bears of this chain, N, if that is more than was known; turned: some of it is tension. */
+/* Takes in a roller's load of this chain, N, if it exceeds the known one; turned: part of it comes from tension. */
 static void borne_take(const Setup *setup, int way, int r, double own, int turned, double *load)
 {
     const Company *const with = &setup->company;
@@ -461,7 +461,8 @@ static void borne_take(const Setup *setup, int way, int r, double own, int turne
     load[r] = fmax(load[r], others + (turned ? own + drawn : fmax(own, drawn)));
 }
 
-/* Of the rows on the route's own pieces; why one that is rated cannot be told, or an empty text. */
+/* Computes the loads of rows on the route's own pieces; `why` is the reason why a rated roller's load is unknown, or
+ * empty. */
 static void rows_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
 {
     const PlanWay *const plan = &c->plan.way[way];
@@ -469,11 +470,11 @@ static void rows_bear(const Setup *setup, const Calculator *c, int way, double *
     for (int r = 0; r < setup->def->n_rollers; ++r) {
         const RollerDef *const roller = &setup->def->rollers[r];
         if (isnan(roller->s) && roller->rating > 0)
-            snprintf(why, 160, "of rollers.list and obstacles theory knows no load: a run does");
+            snprintf(why, 160, "theory computes no load for rollers.list and obstacles: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const PlaceLine line = {setup->route, &plan->pull, setup->cable_weight, 0, setup->route->length};
         if (roller->hold_down && line_load(&line, roller->s).up < 0)
-            snprintf(why, 160, "of hold-downs that the cable lifts off to theory knows no load: a run does");
+            snprintf(why, 160, "theory computes no load for hold-downs under uplift: a run does");
         if (roller->hold_down || (roller_is_guide(setup->route, roller) && guide_stands_outside(setup->route, roller)))
             continue;
         const int piece = route_at(setup->route, roller->s).piece;
@@ -482,7 +483,7 @@ static void rows_bear(const Setup *setup, const Calculator *c, int way, double *
     }
 }
 
-/* load [n_rollers]: what each bears, N, at most by all that theory knows of it. */
+/* Computes load [n_rollers], N, the largest load of each roller by all rules. */
 static void rollers_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
 {
     const PlanWay *const plan = &c->plan.way[way];
@@ -503,8 +504,8 @@ void calculator_rollers(const Setup *setup, const Calculator *c, int way, double
     rollers_bear(setup, c, way, load, why);
 }
 
-/* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. Errors:
- * MEMORY. */
+/* Finds the rated roller with the largest share of its rating, from its own piece or a bend beside it. Errors: MEMORY.
+ */
 static hawser_status roller_finding(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
 {
     Finding worst = {.value = NAN}, unknown = {.value = NAN};
@@ -529,8 +530,8 @@ double calculator_peak(const Setup *setup, const Calculator *c, int way)
     return fmax(heads->peak.force, heads->restart_peak.restart) + setup->company.drawn_more[way];
 }
 
-/* Of chains with a rope: what rope and winch bear is asked where all that they pull is known, and of all cables
- * together what their heads bear (LI9). */
+/* Adapts the findings of chains with a rope: rope and winch are judged where everything they pull is known, the heads'
+ * tension for all cables together (LI9). */
 static void rope_findings(const Setup *setup, int way, Finding f[LIMIT_KINDS])
 {
     const StrandDef *const strand = &setup->def->strand;
@@ -600,7 +601,7 @@ const hawser_limit *calculator_worst(const Calculator *c, int way)
     return worst;
 }
 
-/* Where one way holds and the other does not, that one; else the one with the larger of the least margins. */
+/* Chooses the direction that holds if only one does; else the one with the larger least margin. */
 static void best_set(Calculator *c)
 {
     const int there = calculator_holds(c, PLAN_FORWARD), back = calculator_holds(c, PLAN_BACKWARD);
@@ -613,7 +614,7 @@ static void best_set(Calculator *c)
     }
 }
 
-/* (PN10). Of a cable that runs away no force is known before it is held back. */
+/* Sets the trips (PN10). The force of a cable that runs away is unknown until a brake holds it. */
 static void trip_set(const Setup *setup, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -623,7 +624,7 @@ static void trip_set(const Setup *setup, Calculator *c)
     }
 }
 
-/* Where the cable would run away, in words: of one that the script lets go, with what it leaves of the friction. */
+/* Writes why the cable would run away, including the friction that the script leaves. */
 static void brake_say(const Setup *setup, const Calculator *c, int way, hawser_condition *held)
 {
     const Brake *const brake = &c->brake[way];
@@ -642,7 +643,7 @@ static void brake_say(const Setup *setup, const Calculator *c, int way, hawser_c
     }
 }
 
-/* Where the cable would run away: the brake that holds it, in the remedy too. */
+/* Finds the brakes against run-away and adds them to the remedy. */
 static hawser_status brakes_set(const Setup *setup, Calculator *c, hawser_error *err)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -663,19 +664,19 @@ hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error 
 {
     const hawser_status status = brakes_set(setup, c, err);
     if (status) return status;
-    c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
+    c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* over all sections */
     best_set(c);
     trip_set(setup, c);
     return HAWSER_OK;
 }
 
-/* Whether the cable is pulled everywhere: a cable cannot be pushed, unless a machine does. Where theory finds
- * compression it slackens or runs away down a slope, and no figure behind that place holds. */
+/* Checks whether the cable is in tension everywhere: only a machine can push it. Where theory finds other compression
+ * the cable slackens or runs away, and no figure behind that place is valid. */
 
-/* -------------------------------------------------------------------------------- friction that the crew takes away */
+/* -------------------------------------------------------------------------------- friction reduced by the script */
 
-/* Whether a command of friction is about what lies along the route at s, as far as theory has it: of all, of the duct
- * or tray there, or of a roller (theory has the rows' friction everywhere outside ducts). */
+/* Checks whether a friction command concerns the route at s: its target may be everything, the duct or tray there, or a
+ * roller (outside ducts theory uses the rows' friction). */
 static int is_about(const Setup *setup, const char *what, double s)
 {
     const SceneDef *const def = setup->def;
@@ -686,7 +687,7 @@ static int is_about(const Setup *setup, const char *what, double s)
     return !here;
 }
 
-/* The least factor at s; NAN: anywhere. */
+/* Smallest friction factor at s; NAN: anywhere. */
 static double least_at(const Setup *setup, double s)
 {
     const SceneDef *const def = setup->def;
@@ -731,27 +732,27 @@ hawser_status calculator_brake(const Setup *setup, const Calculator *c, int way,
     free(own);
     if (status) return status;
     if (!isnan(needed.brake)) braked.back_tension += needed.brake;
-    status = plan_brake(&braked, way, out, err); /* the winch pulls with all of the friction */
+    status = plan_brake(&braked, way, out, err); /* the winch pulls with full friction */
     out->brake = needed.brake;
     out->where = needed.where;
     out->piece = needed.piece;
     return status;
 }
 
-/* ----------------------------------------------------------------------------------------------------- the question */
+/* ----------------------------------------------------------------------------------------------------- the checks */
 
-/* What is asked of a pull one way: the case's own question, or one with less friction, without what pushes. */
+/* Definition of one check in one direction: the case's own plan, or one with less friction or without pushers. */
 typedef struct Asked {
     const Setup *setup;
     const Calculator *c;
     int way;
     PlanDef def;          /* its feed, pits and stretches */
-    const PullStep *push; /* [c->n_pushers] of its way */
+    const PullStep *push; /* [c->n_pushers] in this direction */
 } Asked;
 
 static double forth_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 
-/* The last pit before s along the pull, from which it begins anew (PN3), m along the route times the direction;
+/* The last pit before s along the pull, where a new section begins (PN3), m along the route times the direction;
  * -INFINITY: there is none. */
 static double last_pit(const PlanDef *def, double forth, double s)
 {
@@ -763,19 +764,18 @@ static double last_pit(const PlanDef *def, double forth, double s)
     return last;
 }
 
-/* What pushes at the places of a pull, one after the other along it: the largest push of those that are not behind the
- * last pit. */
+/* Progress along a pull: the largest push so far of the pushers after the last pit. */
 typedef struct Reach {
-    int next;         /* push, along the pull */
+    int next;         /* next push along the pull */
     double pit, most; /* m, as last_pit has it; N */
 } Reach;
 
-/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
+/* Allowed compression at s, N: the push of a machine behind s, or the intended push. */
 static double may_be_pushed(const Asked *a, const Pull *pull, double s, Reach *r)
 {
     const double forth = forth_of(a->way), pit = last_pit(&a->def, forth, s), first = plan_first(&a->def, a->way);
     const int n = a->setup->n_pushers, back = a->way == PLAN_BACKWARD;
-    if (pit > r->pit) { /* those behind it push no more; of the others the largest is looked for again */
+    if (pit > r->pit) { /* pushers before the pit no longer count; find the largest of the others again */
         *r = (Reach){.pit = pit};
         while (r->next < n && forth * a->push[back ? n - 1 - r->next : r->next].at <= pit) ++r->next;
     }
@@ -803,7 +803,7 @@ static Pushed pushed_in(const Asked *a, const Pull *pull)
     return worst;
 }
 
-/* At the winch, which a rope does not push. */
+/* Compression at the winch, where a rope cannot push. */
 static Pushed pushed_at_winch(const Asked *a, const Pull *pull)
 {
     const double force = a->setup->def->winch.present ? fmax(0, -pull->end_tension) : 0;
@@ -811,7 +811,7 @@ static Pushed pushed_at_winch(const Asked *a, const Pull *pull)
                     pull->span[pull->n - 1].piece};
 }
 
-/* What is found, and what of it. */
+/* Largest compression found, and its reason. */
 typedef struct Found {
     Pushed most;
     Away why;
@@ -824,7 +824,7 @@ static void found_take(Found *out, Pushed now, Away why, double t)
     *out = (Found){now, why, t};
 }
 
-/* The pull with the least that holds it back (or with so much of it), its head at the end or there. */
+/* Conditions of a pull: the back tension and the place of the head. */
 typedef struct HeldBy {
     const double *back; /* N; NULL: the least of the whole pull */
     const double *head; /* m along the route; NULL: the end */
@@ -835,7 +835,7 @@ static hawser_status pull_at_least(const Asked *a, HeldBy at, Pull *out, hawser_
     const PlanPullDef what = {.way = a->way, .whole = !at.head, .head = at.head ? *at.head : 0};
     PlanDef slack = plan_slack(&a->def);
     if (at.back) slack.back_tension = *at.back;
-    slack.enough = 0; /* what pushes may take it off */
+    slack.enough = 0; /* pushers may reduce the tension */
     return plan_pull(&slack, &what, out, err);
 }
 
@@ -843,14 +843,15 @@ static hawser_status pull_at_least(const Asked *a, HeldBy at, Pull *out, hawser_
 
 static const double STARTED = 1; /* m of travel, before which the pull only begins */
 
-enum { EARLY_TIMES = 32 }; /* that are looked at: evenly, and as many corners of the profile */
+enum { EARLY_TIMES = 32 }; /* evenly spaced times, and as many corners of the profile */
 
-/* A time before the back tension has risen, where the head is, and what holds back. */
+/* A time before the back tension has risen, with the head's place and the back tension. */
 typedef struct Early {
     double t, head, back; /* s, m along the route, N */
 } Early;
 
-/* The winch's travel by then, with what the script makes of it at once, m; without a winch at most what belts do. */
+/* Travel of the winch by time t according to the script, with speed changes taken at once, m; without a winch, the
+ * largest travel of the belts. */
 static double travel_told(const Setup *setup, double t)
 {
     const SceneDef *const def = setup->def;
@@ -871,7 +872,7 @@ static double travel_told(const Setup *setup, double t)
     return travel;
 }
 
-/* When the travel has become more than STARTED, s, at most `until`. */
+/* Time at which the travel exceeds STARTED, s, at most `until`. */
 static double time_started(const Setup *setup, double until)
 {
     double low = 0, high = until;
@@ -882,8 +883,7 @@ static double time_started(const Setup *setup, double until)
     return high;
 }
 
-/* Those at which the head has moved, in no order; `early` has room for two times EARLY_TIMES and two. Returns how many.
- */
+/* Lists times at which the head has moved, unordered; `early` has space for 2 EARLY_TIMES + 2. Returns their number. */
 static int early_times(const Setup *setup, int way, double risen, Early *early)
 {
     const Profile *const back = starts_back(setup);
@@ -901,8 +901,8 @@ static int early_times(const Setup *setup, int way, double risen, Early *early)
     return n;
 }
 
-/* While the back tension is not there yet, where the head is then. Nothing is pushed where the least of it would do as
- * far as the head comes in that time. */
+/* Checks for compression before the back tension has risen, with the head where it is then. There is none if the least
+ * back tension suffices for all places that the head reaches in this time. */
 static hawser_status ask_early(const Asked *a, Found *out, hawser_error *err)
 {
     const Setup *const setup = a->setup;
@@ -951,7 +951,8 @@ static int is_helped(const Asked *a)
     return helped;
 }
 
-/* Without what pushes: what bends take of a push leaves nothing by which a slope ahead of them may push the cable. */
+/* Checks the pull without pushers: friction in bends may use up a push, so that it cannot cause the compression on a
+ * slope ahead of them. */
 static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err)
 {
     Asked alone = *a;
@@ -968,7 +969,7 @@ static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err
     return status;
 }
 
-/* A rope runs ahead of what it draws where that holds it back by less than it needs: at least by so much, (SC19). */
+/* Checks a rope that pulls chains: it runs ahead of them if their least pull is too small (SC19). */
 static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
 {
     Asked held = *a;
@@ -981,7 +982,7 @@ static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The case as it is, and without what pushes, until something is found. */
+/* Checks the case as it is and without pushers, until compression is found. */
 static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error *err)
 {
     if (a->setup->def->strand.rope) return ask_drawing(a, out, err);
@@ -989,7 +990,7 @@ static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error
     return status || is_pushed(out->most) || !is_helped(a) ? status : ask_by_itself(a, out, err);
 }
 
-/* With the least friction that the script leaves. */
+/* Checks with the smallest friction that the script leaves. */
 static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
 {
     Asked loose = *a;
@@ -1000,8 +1001,8 @@ static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
     return status;
 }
 
-/* What pushes has the winch's rope slack already where little of the cable has come, of a case that says where that is.
- */
+/* Checks whether pushers slacken the winch's rope while little of the cable has entered, for cases that define where
+ * the head begins. */
 static void look_at_heads(const Asked *a, Found *out)
 {
     const HeadSeries *const heads = &a->c->heads[a->way];
@@ -1049,21 +1050,21 @@ void away_say(const Calculator *c, int way, int size, char *text)
     const Finding at = finding_on(c->route, pushed, c->pushed[way].at, c->pushed[way].piece);
     if (c->away[way] == AWAY_OVERFED) {
         snprintf(text, (size_t)size,
-                 "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less",
+                 "the pushers give more than is needed, and the cable pushes the winch with %.4g kN: reduce their push",
                  pushed);
     } else if (c->away[way] == AWAY_FROM_DRAWN) {
         snprintf(text, (size_t)size,
-                 "it would run ahead of what it draws, pushed with %.4g kN at %.32s: hold that back by more "
+                 "it would run ahead of the cables it pulls, pushed with %.4g kN at %.32s: increase their back tension "
                  "(drive.tail.tension)",
                  pushed, at.where);
     } else if (c->away[way] == AWAY_BY_ITSELF) {
         snprintf(text, (size_t)size,
-                 "without what pushes it the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "
+                 "without any push the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "
                  "where the pull begins",
                  pushed, at.where);
     } else {
         snprintf(text, (size_t)size,
-                 "before the back tension has come in, at %.4g s, the cable would run away, pushed with %.4g kN at "
+                 "before the back tension has risen, at %.4g s, the cable would run away, pushed with %.4g kN at "
                  "%.32s: give it from the start",
                  c->early[way], pushed, at.where);
     }

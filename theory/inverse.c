@@ -7,20 +7,21 @@
 #include "theory/mend.h"
 #include "theory/plan.h"
 
-/* How far a search goes: a thousand times as much, or as little. */
+/* Range of a search: factors up to a thousand, or down to a thousandth. */
 static const double FARTHEST = 1000;
 
-/* One question on its way to an answer. */
+/* State of one search. */
 typedef struct Question {
     const Setup *setup;
     const Calculator *base;
     const Ends *ends;
-    int taken; /* what is assumed counts as it was taken, not at its ends */
+    int taken; /* assumed values count as taken, not at the ends of their ranges */
     InverseKind kind;
-    int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
-    int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
-    double enough;                    /* N: a tension that certainly breaks a limit; 0: none does */
-    hawser_status status; /* what ended the search; values that cannot be computed do not hold, and do not */
+    int way, bend;                    /* bend: the piece of INVERSE_BEND */
+    int untouched[HAWSER_LIMITS_MAX]; /* by limit: its value does not depend on the searched one */
+    double enough;                    /* N: a tension that breaks a limit for certain; 0: none known */
+    hawser_status
+        status; /* error that ended the search; values that cannot be computed count as not holding, without an error */
     hawser_error *err;
 } Question;
 
@@ -34,7 +35,7 @@ static Variation variation_of(const Question *q, double x)
     return v;
 }
 
-/* The varied calculator at an end, whether it could be solved. Friction may grow past what can be computed. */
+/* Solves the varied calculator at an end; returns 0 if that fails, as friction may become too large to compute. */
 static int varied(Question *q, int end, const Variation *by, Calculator *c)
 {
     hawser_error local;
@@ -47,8 +48,8 @@ static int varied(Question *q, int end, const Variation *by, Calculator *c)
     return !status;
 }
 
-/* Which broken limits the question does not touch: those that neither half nor twice of it changes. What holds may
- * break farther on. */
+/* Marks broken limits that do not depend on the searched value: neither half nor twice of it changes them. Limits that
+ * hold may break farther on. */
 static void touched_find(Question *q)
 {
     for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 0;
@@ -68,7 +69,7 @@ static void touched_find(Question *q)
     }
 }
 
-/* The limit that is broken most of those that the question touches; NULL: none. */
+/* The most broken limit that depends on the searched value; NULL: none. */
 static const hawser_limit *broken(const Question *q, const Calculator *c)
 {
     const hawser_limit *worst = NULL;
@@ -80,13 +81,13 @@ static const hawser_limit *broken(const Question *q, const Calculator *c)
     return worst;
 }
 
-/* Where stiffness would break a limit the verdict is NOT TRUSTED, not SAFE. */
+/* Checks whether everything holds, stiffness included: otherwise the verdict is NOT TRUSTED, not SAFE. */
 static int keeps(const Question *q, const Calculator *c)
 {
     return c->pulled[q->way].holds && !broken(q, c) && stiffened_judge(q->setup, c, q->way).holds;
 }
 
-/* Those that are broken and that it does not touch, as far as there is room. */
+/* Lists the broken limits that do not depend on the searched value, as far as space allows. */
 static void stays_find(const Question *q, const Calculator *c, char stays[INVERSE_STAYS_MAX])
 {
     size_t n = 0;
@@ -98,8 +99,8 @@ static void stays_find(const Question *q, const Calculator *c, char stays[INVERS
     }
 }
 
-/* Where the cable's tension is judged both at speed and from rest, more than is allowed of either need not be known:
- * without this a friction of a thousand times is followed through all that it makes of the tension. */
+/* Finds a tension bound for the search: where the cable's tension is judged both moving and from rest, values beyond
+ * both limits are not needed, which saves following a thousandfold friction. */
 static void enough_find(Question *q)
 {
     int judged = 0;
@@ -114,8 +115,8 @@ static void enough_find(Question *q)
     q->enough = judged == 2 ? (1 + 1e-6) * most : 0;
 }
 
-/* Whether all holds there; of friction and length, of which the most is asked, also at the ends of what is assumed,
- * where SAFE stops. *end: the first at which it does not. */
+/* Checks whether everything holds. For friction and length, whose maximum is searched, it must also hold at the ends of
+ * the assumed ranges. *end: the first at which it does not. */
 static int holds_at(Question *q, const Variation *by, int *end)
 {
     const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH,
@@ -140,7 +141,7 @@ static int question_holds(void *what, double x)
     return !q->status && holds_at(q, &by, &end);
 }
 
-/* What is broken most there, and where. */
+/* Finds the most broken limit and its place. */
 static void binding_find(Question *q, const Variation *by, char binds[24], char where[80])
 {
     Calculator c;
@@ -162,7 +163,7 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
     calculator_free(&c);
 }
 
-/* The bend of the largest sidewall pressure; -1 without bends. */
+/* The bend with the largest sidewall pressure; -1 without bends. */
 static int critical_bend(const Calculator *c, int way)
 {
     const Plan *const plan = &c->plan;
@@ -174,7 +175,7 @@ static int critical_bend(const Calculator *c, int way)
     return worst;
 }
 
-/* What the case has of it: the largest friction on the route, the smallest radius, the route's length. */
+/* The case's own value: the largest friction on the route, the smallest radius, the route's length. */
 static double now_of(const Question *q)
 {
     const Calculator *const c = q->base;
@@ -188,7 +189,7 @@ static double now_of(const Question *q)
     return radius;
 }
 
-/* Whether what is wrong is that the cable runs ahead, which more friction may hold. */
+/* Checks for run-away, which more friction may prevent. */
 static int runs_ahead(const Question *q)
 {
     const hawser_limit *const l = q->base->limit[q->way];
@@ -198,8 +199,8 @@ static int runs_ahead(const Question *q)
     return broken_by_it;
 }
 
-/* The bound; of friction, where less than there is does not help, that of the range in which more does, from *from on
- * (PN9). */
+/* Finds the bound. If less friction does not help, it is that of the range where more friction does, which begins at
+ * *from (PN9). */
 static SearchBound bound_find(Question *q, double *from)
 {
     const int less = q->kind == INVERSE_RADIUS || q->kind == INVERSE_BEND;
@@ -236,10 +237,10 @@ static InverseAnswer answer_find(Question *q)
 
 /* -------------------------------------------------------------------------------------------- machines */
 
-/* m: so far from a bend that a place written in ten digits is not in it. */
+/* Distance from a bend, m, that keeps a place written with ten digits outside it. */
 static const double BESIDE = 1e-5;
 
-/* m: where the bends begin and end that follow each other without a straight, around a piece. */
+/* Finds the ends of the uninterrupted row of bends around a piece, m. */
 static void bends_around(const Route *route, int piece, double ends[2])
 {
     int first = piece, last = piece;
@@ -249,8 +250,8 @@ static void bends_around(const Route *route, int piece, double ends[2])
     ends[1] = route->piece[last].s0 + route->piece[last].length;
 }
 
-/* Where the tension first reaches `push` behind `after` along the pull; NAN: nowhere. In a bend no machine stands: it
- * is moved to the bend's end, or with `early` to its start if that is behind `after`. */
+/* First place beyond `after` along the pull where the tension reaches `push`; NAN: none. No machine stands in a bend:
+ * the place moves to the bend's end, or with `early` to its start if that is beyond `after`. */
 static double next_place(const Calculator *c, int way, double push, double after, int early)
 {
     const Pull *const pull = &c->plan.way[way].pull;
@@ -281,14 +282,15 @@ static double next_place(const Calculator *c, int way, double push, double after
     return NAN;
 }
 
-/* What each takes off, N. */
+/* Computes the force that each machine takes off, N. */
 static void takes_find(const Calculator *c, InverseMachines *m, double push)
 {
     for (int i = 0; i < m->n; ++i)
         m->takes[i] = fmin(push, fmax(0, pull_at(&c->plan.way[m->way].pull, m->at[i]).tension));
 }
 
-/* (PN11): one more, as soon as its whole push can be used where something breaks, until all holds. */
+/* Adds machines one by one (PN11), each as soon as its whole push is usable before the place that breaks, until
+ * everything holds. */
 static void machines_place(Question *q, double push, int early, InverseMachines *m)
 {
     PullStep step[INVERSE_MACHINES_MAX];
@@ -312,7 +314,8 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
     if (m->n < 0) binding_find(q, &by, m->binds, m->where);
 }
 
-/* The better of both ways to keep out of bends; where nothing keeps what is assumed at its ends, as it was taken. */
+/* Finds the better of both rules for bends; if no number holds at the ends of the assumed ranges, that with the values
+ * taken. */
 static void machines_find(Question *q, double push, InverseMachines *out)
 {
     InverseMachines other;
@@ -326,10 +329,10 @@ static void machines_find(Question *q, double push, InverseMachines *out)
 
 /* ------------------------------------------------------------------------------------------------ pits */
 
-/* m: as far as pits are told apart, and the least section. */
+/* m: resolution of the places of pits, and the least length of a section. */
 static const double PIT_STEP = 0.1, PIT_LEAST = 1;
 
-/* Sections from the start on, each as long as its limits hold and no longer than `most`. */
+/* Sections from the start on, each as long as its limits hold, but no longer than `most`. */
 typedef struct Pits {
     Question *q;
     double back, most; /* N, m */
@@ -337,7 +340,7 @@ typedef struct Pits {
     Variation by;
 } Pits;
 
-/* Whether all holds up to `far` metres from where the pull begins, with the pits so far. */
+/* Checks whether everything holds up to `far` metres from where the pull begins, with the pits placed so far. */
 static int holds_up_to(Pits *p, double far)
 {
     int end;
@@ -345,8 +348,8 @@ static int holds_up_to(Pits *p, double far)
     return holds_at(p->q, &p->by, &end);
 }
 
-/* How far the section that begins at `from` comes, both in metres from where the pull begins: to the route's end, or to
- * a round place that lies in no bend (PN13). NAN: nowhere. */
+/* End of the section that begins at `from`, both in metres from where the pull begins: the route's end, or a round
+ * value outside bends (PN13). NAN: none. */
 static double section_end(Pits *p, double from)
 {
     const Route *const route = p->q->base->route;
@@ -369,7 +372,7 @@ static double section_end(Pits *p, double from)
     return low < from + PIT_LEAST ? NAN : low;
 }
 
-/* At most so many. */
+/* Places at most `most` pits. */
 static void pits_place(Pits *p, int most, InverseMachines *m)
 {
     const double length = p->q->base->route->length;
@@ -385,14 +388,14 @@ static void pits_place(Pits *p, int most, InverseMachines *m)
     }
 }
 
-/* The fewest, and of these the ones whose longest section is shortest. */
+/* Finds the smallest number of pits, and of these solutions the one with the shortest longest section. */
 static void pits_find(Question *q, double back, InverseMachines *out)
 {
     Pits p = {.q = q, .back = back, .most = INFINITY};
     p.by = (Variation){.way = q->way, .friction = 1, .radius = 1, .bend = -1, .step = p.step};
     for (q->taken = 0, out->n = -1; out->n < 0 && q->taken < 2; ++q->taken)
         pits_place(&p, INVERSE_MACHINES_MAX - 1, out);
-    --q->taken; /* what it was found with */
+    --q->taken; /* the setting of the search that succeeded */
     if (out->n < 0) {
         p.by.beyond = 0;
         binding_find(q, &p.by, out->binds, out->where);
@@ -417,7 +420,7 @@ static void pits_find(Question *q, double back, InverseMachines *out)
 
 /* ------------------------------------------------------------------------------------------------ all of it */
 
-/* Of the way q->way. */
+/* Answers all questions for the direction q->way. */
 static hawser_status way_find(Question *q, Inverse *out)
 {
     const double push = q->setup->def->theory.machine_push;
@@ -430,7 +433,7 @@ static hawser_status way_find(Question *q, Inverse *out)
     }
     if (isnan(push) || q->status) return q->status;
     out->asked = 1;
-    q->kind = INVERSE_FRICTION; /* machines change what friction does */
+    q->kind = INVERSE_FRICTION; /* machines change what friction also changes */
     touched_find(q);
     machines_find(q, push, &out->machines[q->way]);
     return q->status;

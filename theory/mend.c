@@ -24,38 +24,38 @@ void solved_free(Solved *s)
     scene_def_clear(&s->def);
 }
 
-/* Friction at rest over that in motion, at most, and the drag of a reel whose brake is let go, N: usual on sites, no
- * standard says. */
+/* Largest usual ratio of static to kinetic friction, and the usual drag of a reel with its brake released, N; no
+ * standard gives them. */
 static const double REST_MOST = 1.5, BACK_MOST = 1000;
 
-/* m of cable whose weight a reel holds back, by eq. 3 (T24). */
+/* Length of cable whose weight equals a reel's back tension, m, by eq. 3 (T24). */
 static const double REEL_LENGTH = 15;
 
-/* How far an unknown friction is followed, as factors. */
+/* Range over which an unknown friction is varied, as factors. */
 static const double UNKNOWN_LEAST = 1.0 / 16, UNKNOWN_MOST = 16;
 
 static const char RADIUS_NAME[] = "radius at changes of slope";
 
-/* In which steps a wider radius is looked for, and how many of them: up to three hundred times. */
+/* Factor between trials for a wider radius, and their number: up to three hundred times. */
 static const double RADIUS_STEP = 1.25;
 
 enum { RADIUS_STEPS = 26 };
 
-static const double SEAM = 1e-6; /* m between two lengths of duct, which is none */
+static const double SEAM = 1e-6; /* m between two lengths of duct that count as continuous */
 
-/* Halvings between an end that holds and one that does not: to a four thousandth of what is between them. */
+/* Number of halvings between an end that holds and one that does not: the interval shrinks to a four-thousandth. */
 enum { HALVINGS = 12 };
 
 /* ------------------------------------------------------------------------------------------ what is left open */
 
-/* A friction of the definition, where it is from, and by which key it is given. */
+/* A friction of the definition, its origin, and its key. */
 typedef struct Law {
     double *moving, *rest;
     FrictionKnown known;
     char key[ASSUMED_KEY_MAX];
 } Law;
 
-/* By the order in which lists of surfaces are read. */
+/* Index of the list in the order in which lists of surfaces are read. */
 static int surface_list(const SurfaceDef *s)
 {
     return s->shape.kind == SURFACE_DUCT ? 0 : surface_along_route(s) ? 1 : 2;
@@ -85,7 +85,7 @@ static Law law_of_stretch(TheoryDef *theory, int i)
     return law;
 }
 
-/* Finds the i-th friction: the case's, surfaces', those for theory alone, rollers'; 0: there are no more. */
+/* Finds the i-th friction: the case's, surfaces', those for theory alone, rollers'; returns 0 if there are no more. */
 static int law_at(SceneDef *def, int i, Law *out)
 {
     if (i-- == 0) return *out = law_of(&def->friction, &def->friction_known), 1;
@@ -98,8 +98,8 @@ static int law_at(SceneDef *def, int i, Law *out)
     return 1;
 }
 
-/* Whether theory reckons with the i-th friction: the case's where no duct and no tray is, a surface's where that is,
- * both where no other is given for theory alone. */
+/* Checks whether theory uses the i-th friction: the case's outside ducts and trays, a surface's inside, both only where
+ * the case gives no other friction for theory alone. */
 static int is_used(const Setup *setup, int i)
 {
     const SceneDef *const def = setup->def;
@@ -121,10 +121,10 @@ static int is_of(AssumedKind kind, const FrictionKnown *known)
 
 enum { KEYS_MAX = 16 };
 
-/* Finds the largest friction that is assumed in that way. Returns how many sections give one; 0: none is. */
+/* Finds the largest friction with this kind of assumption. Returns the number of sections that give one; 0: none. */
 static int largest(const Setup *setup, AssumedKind kind, Law *out)
 {
-    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read only */
     char key[KEYS_MAX][ASSUMED_KEY_MAX];
     Law law;
     int n = 0;
@@ -140,7 +140,7 @@ static int largest(const Setup *setup, AssumedKind kind, Law *out)
 
 int frictions_used(const Setup *setup, int most, FrictionUsed out[])
 {
-    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read only */
     Law law;
     int n = 0;
     for (int i = 0; n < most && law_at(own, i, &law); ++i) {
@@ -153,8 +153,8 @@ int frictions_used(const Setup *setup, int most, FrictionUsed out[])
     return n;
 }
 
-/* Whether a piece of the route rounds a change of slope between pieces of the case, with the radius that all of these
- * have between them. */
+/* Checks whether a piece of the route rounds a change of slope between pieces of the case; all such pieces share one
+ * radius. */
 static int route_rounds_slope(const Route *route, int piece)
 {
     int listed = 0;
@@ -172,14 +172,14 @@ static double open_radius(const Setup *setup)
     return least;
 }
 
-/* Whether nothing in the case gives the tension where the pull begins. */
+/* Checks whether the case leaves the tension at the beginning of the pull open. */
 static int start_is_open(const SceneDef *def)
 {
     return !def->tail.given && def->reel.model == REEL_NONE && !(def->theory.reel > 0) && !(def->theory.feed > 0) &&
            def->strand.rope == 0;
 }
 
-/* The first pit that leaves open what holds back there; -1: none does. */
+/* The first pit with an open back tension; -1: none. */
 static int open_pit(const TheoryDef *theory)
 {
     for (int i = 0; i < theory->n_pits; ++i)
@@ -187,10 +187,11 @@ static int open_pit(const TheoryDef *theory)
     return -1;
 }
 
-/* What is said of the back tension is of each cable where the pull begins (BU10), of all together at a pit. */
+/* Number of cables that share the back tension: it is given per cable at the beginning of the pull (BU10), for all
+ * together at a pit. */
 static double back_parts(const SceneDef *def) { return start_is_open(def) ? bundle_tails(&def->bundle) : 1; }
 
-/* N: a reel that is braked by hand, or the paper's, whichever is more. */
+/* Largest usual back tension, N: a reel with a hand brake, or the paper's reel, whichever is larger. */
 static double back_most(const SceneDef *def)
 {
     double mass = 0;
@@ -198,7 +199,7 @@ static double back_most(const SceneDef *def)
     return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity) / back_parts(def));
 }
 
-/* A friction's line; what follows its key in the case. */
+/* Builds the entry of a friction; `key` completes its key in the case. */
 static Assumed friction_line(const Law *law, int sections, AssumedKind kind, const char *name, const char *key)
 {
     Assumed a = {.kind = kind, .name = name, .unit = "1", .value = *law->moving, .low = NAN, .high = NAN};
@@ -251,8 +252,8 @@ int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
 
 /* ------------------------------------------------------------------------------------------------ other values */
 
-/* Friction in motion that becomes x of the largest one's; those with ranges go by the same part of theirs. Friction at
- * rest that is given stays, but is never below. */
+/* Scales friction so that the largest becomes x; frictions with ranges move by the same share of theirs. A given static
+ * friction stays, but is never less than the kinetic one. */
 static void friction_set(SceneDef *def, const Assumed *a, double x)
 {
     Law law;
@@ -270,7 +271,7 @@ static void friction_set(SceneDef *def, const Assumed *a, double x)
     }
 }
 
-/* Where the pull begins and where it is begun anew, of all cables together. */
+/* Sets the back tension of the beginning and of the pits, for all cables together. */
 static void back_set(SceneDef *def, double x)
 {
     const double all = x * back_parts(def);
@@ -279,20 +280,20 @@ static void back_set(SceneDef *def, double x)
         if (def->theory.pits[i].open) def->theory.pits[i].force = all;
 }
 
-/* A case that is varied, and the limits that are judged by it. */
+/* A varied case, and the limits that are judged by it. */
 typedef struct Trial {
     const Setup *setup;
     const Calculator *base;
-    const Variation *by;        /* of the case; NULL: it is as it is */
-    int first, ways, bounds, n; /* from the first way to `ways`; bounds: they are sought */
+    const Variation *by;        /* of the case; NULL: unchanged */
+    int first, ways, bounds, n; /* directions from `first` to below `ways`; bounds: they are searched */
     hawser_limit *const *limit;
     hawser_error *err;
 } Trial;
 
-/* Theory of a case, and of it as it is changed; both are to be freed by both_free in any case. */
+/* Theory of a case and of its variation; both_free must follow in any case. */
 typedef struct Both {
     Solved whole;
-    Calculator varied, *c; /* c: the one that was asked for */
+    Calculator varied, *c; /* c: the requested one */
 } Both;
 
 static hawser_status solve(const Trial *t, const SceneDef *own, Both *s)
@@ -310,8 +311,8 @@ static void both_free(Both *s)
     solved_free(&s->whole);
 }
 
-/* The value of a limit when theory's goes from `was` to `is`, and whether it still holds. A run's value changes with
- * friction by the factor by which theory's does, and with the back tension by as much as theory's. */
+/* Computes the value of a limit when theory's changes from `was` to `is`; returns whether it holds. A run's value
+ * changes by theory's factor for friction, and by theory's difference for the back tension. */
 static int limit_holds(const hawser_limit *l, const hawser_limit *was, const hawser_limit *is, int scales,
                        double *value)
 {
@@ -329,7 +330,7 @@ static const hawser_limit *limit_of(const Calculator *c, int way, hawser_limit_k
     return NULL;
 }
 
-/* The limit that the bending stiffness, which theory leaves out, might break; NULL: none. */
+/* The limit that bending stiffness, which theory neglects, might break; NULL: none. */
 static const hawser_limit *doubted(const Setup *setup, const Calculator *c, int way)
 {
     const hawser_limit *least;
@@ -337,14 +338,14 @@ static const hawser_limit *doubted(const Setup *setup, const Calculator *c, int 
     return stiffened_judge(setup, c, way).holds ? NULL : least;
 }
 
-/* The limits of a way with another value: with that, and not already as it was taken, the stiffness makes one that
- * theory alone judges doubtful. */
+/* Limits of a direction with a changed value. A limit that only theory judges also fails if bending stiffness makes it
+ * doubtful, unless it already did with the values taken. */
 typedef struct Effect {
     int holds[HAWSER_LIMITS_MAX];
     double value[HAWSER_LIMITS_MAX];
 } Effect;
 
-/* Gives what is assumed that way another value. */
+/* Sets an assumed value to x. */
 static void assumed_set(SceneDef *def, const Assumed *a, double x)
 {
     if (a->kind == ASSUMED_BACK)
@@ -353,14 +354,14 @@ static void assumed_set(SceneDef *def, const Assumed *a, double x)
         friction_set(def, a, x);
 }
 
-/* Computes all limits with the values x[count] of what is assumed; NAN: as it was taken. */
+/* Computes all limits with the assumed values x[count]; NAN: the value taken. */
 static hawser_status effect_of(const Trial *t, int count, const Assumed *a, const double *x, Effect effect[PLAN_WAYS])
 {
     SceneDef def;
     Both other;
     hawser_status status = scene_def_copy(t->setup->def, &def, t->err);
     if (status) return status;
-    int scales = 0; /* friction is among them */
+    int scales = 0; /* friction is one of them */
     for (int k = 0; k < count; ++k) {
         if (isnan(x[k])) continue;
         assumed_set(&def, &a[k], x[k]);
@@ -382,9 +383,9 @@ static hawser_status effect_of(const Trial *t, int count, const Assumed *a, cons
     return status;
 }
 
-/* ---------------------------------------------------------------------------------------------------- to judge */
+/* ---------------------------------------------------------------------------------------------------- judging */
 
-/* Marks the limits that hold and break at an end. Returns how many there are. */
+/* Marks the limits that hold and break at an end. Returns their number. */
 static int broken_at(const Trial *t, int way, const Effect *end, int broken[HAWSER_LIMITS_MAX])
 {
     int n = 0;
@@ -414,7 +415,7 @@ static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const
     return HAWSER_OK;
 }
 
-/* Where a limit keeps the bound of an assumed value. */
+/* Field of a limit for the bound of an assumed value. */
 static double *bound_at(hawser_limit *l, AssumedKind kind, int least)
 {
     if (kind == ASSUMED_REST) return &l->rest_most;
@@ -422,7 +423,7 @@ static double *bound_at(hawser_limit *l, AssumedKind kind, int least)
     return least ? &l->friction_least : &l->friction_most;
 }
 
-/* Judges the limits at one end of a range, and finds where those break that it breaks. */
+/* Judges the limits at one end of a range, and finds the bounds of those that break there. */
 static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
 {
     Effect effect[PLAN_WAYS];
@@ -444,7 +445,8 @@ static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
     return status;
 }
 
-/* Nothing is known of the friction: what it touches is not judged, unless it is broken with next to none. */
+/* Judges limits with unknown friction: those that depend on it are not judged, unless they are broken with almost none.
+ */
 static hawser_status unknown_judge(const Trial *t, const Assumed *a)
 {
     Effect least[PLAN_WAYS], most[PLAN_WAYS];
@@ -484,16 +486,16 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
     return status;
 }
 
-/* Changes of slope that become wider, one way. */
+/* Search for wider changes of slope in one direction. */
 typedef struct Rounding {
     Trial *t;
-    int way, count;     /* count: of what else is assumed */
+    int way, count;     /* count: of the other assumed values */
     const Assumed *all; /* [count] */
-    double *radii;      /* [pieces] factors, which t->by has */
-    Effect with;        /* what was found last with the rest as it was taken */
+    double *radii;      /* [pieces] factors, used by t->by */
+    Effect with;        /* last result with the other values as taken */
 } Rounding;
 
-/* Whether a wider radius has mended a limit: one that theory knows, and that it moves. */
+/* Checks whether a wider radius mends a limit: theory must know the limit and the radius change it. */
 static int radius_mends(const hawser_limit *l, const Effect *effect, int i)
 {
     const double value = effect->value[i];
@@ -501,8 +503,8 @@ static int radius_mends(const hawser_limit *l, const Effect *effect, int i)
     return effect->holds[i] && value != l->value && (at_least ? value >= l->limit : value <= l->limit);
 }
 
-/* Whether all limits hold with the rest as it was taken, and those that are broken at the ends of that too; *fits: the
- * route has room for them. */
+/* Checks whether all limits hold, with the other assumed values as taken and at the ends of their ranges; *fits: the
+ * radii fit on the route. */
 static hawser_status slopes_hold(Rounding *r, double factor, int *fits, int *holds)
 {
     const Trial *const t = r->t;
@@ -539,8 +541,8 @@ static void radius_asked(hawser_limit *l, const Assumed *a, double radius, doubl
     l->margin = fmax(0, at_least ? 1 - l->limit / value : 1 - value / l->limit);
 }
 
-/* Finds the least radius with which no limit of the way is broken, if wider changes of slope mend all that are; *found:
- * the radii are that wide then. */
+/* Finds the least radius with which no limit of this direction is broken, if wider changes of slope can achieve that;
+ * *found: the radii are set to it. */
 static hawser_status slopes_judge(Rounding *r, const Assumed *a, int *found)
 {
     const Trial *const t = r->t;
@@ -566,7 +568,8 @@ static hawser_status slopes_judge(Rounding *r, const Assumed *a, int *found)
     return status;
 }
 
-/* Whether every way a limit is broken as the case is: then no end of a range changes a word. */
+/* Checks whether a limit of every direction is broken by the case itself: then no end of a range changes the verdict.
+ */
 static int is_broken(const Trial *t)
 {
     for (int way = t->first; way < t->ways; ++way) {
@@ -577,8 +580,8 @@ static int is_broken(const Trial *t)
     return 1;
 }
 
-/* Bounds of several are each found with the others as they were taken. So that all may be at theirs at once, they go
- * the same share of the way from the values taken, as far as all limits hold. */
+/* Each bound is found with the other values as taken. So that all may reach their bounds at once, all move by the same
+ * share from the values taken, as far as all limits hold. */
 static hawser_status bounds_join(const Trial *t, int count, const Assumed all[], int way)
 {
     double bound[ASSUMED_KINDS], share = 1, holds = 0, fails = 1, x[ASSUMED_KINDS] = {0};
@@ -613,7 +616,7 @@ static hawser_status bounds_join(const Trial *t, int count, const Assumed all[],
     return HAWSER_OK;
 }
 
-/* Judges by a theory that is solved. */
+/* Judges by a solved theory. */
 static hawser_status judge(const Trial *t, int count, const Assumed all[])
 {
     hawser_status status = HAWSER_OK;
@@ -628,7 +631,7 @@ static hawser_status judge(const Trial *t, int count, const Assumed all[])
     return status;
 }
 
-/* The same by theory that it solves itself, of a case that `by` changes. */
+/* The same for a case changed by `by`, whose theory is solved here. */
 static hawser_status own_judge(const Trial *t, const Variation *by, int count, const Assumed all[])
 {
     Trial own = *t;
@@ -644,7 +647,7 @@ static hawser_status own_judge(const Trial *t, const Variation *by, int count, c
     return status;
 }
 
-/* The radius of changes of slope comes first: where it is found all else is judged with it, way by way. */
+/* Judges the radius of changes of slope first: if one is found, everything else in this direction is judged with it. */
 static hawser_status rounded_judge(const Trial *t, int count, const Assumed all[])
 {
     hawser_status status = HAWSER_OK;
@@ -659,7 +662,7 @@ static hawser_status rounded_judge(const Trial *t, int count, const Assumed all[
         one.by = &by;
         Rounding rounding = {.t = &one, .way = way, .count = count - 1, .all = all + 1, .radii = radii};
         status = slopes_judge(&rounding, all, &found);
-        rounding.count = 0; /* if that asks too much: with the rest as it was taken */
+        rounding.count = 0; /* if the ranges are too much: with the other values as taken */
         if (!status && !found && count > 1) status = slopes_judge(&rounding, all, &found);
         one.by = NULL;
         if (!status) status = found ? own_judge(&one, &by, count - 1, all + 1) : judge(&one, count - 1, all + 1);
@@ -692,7 +695,8 @@ hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways
     return status;
 }
 
-/* The same of the limits limit[n] of one way of a case that is changed (`by`); friction that changes is known then. */
+/* Judges the limits limit[n] of one direction for a case changed by `by`; friction that `by` changes counts as known.
+ */
 static hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int bounds, int n,
                                           hawser_limit *limit, hawser_error *err)
 {
@@ -706,7 +710,7 @@ static hawser_status assumed_judge_varied(const Setup *setup, const Variation *b
         if (all[k].kind != ASSUMED_RADIUS && !(is_friction && by->friction != 1)) all[kept++] = all[k];
     }
     const hawser_status status = kept > 0 && n > 0 ? own_judge(&t, by, kept, all) : HAWSER_OK;
-    for (int i = 0; i < n; ++i) limit[i].rest_most *= by->friction; /* of the friction as it is then */
+    for (int i = 0; i < n; ++i) limit[i].rest_most *= by->friction; /* for the changed friction */
     return status;
 }
 
@@ -726,7 +730,7 @@ hawser_status assumed_together(const Setup *setup, const Calculator *base, int w
     const hawser_status status = effect_of(&t, count, all, high, effect);
     for (int i = 0; i < t.n && !status; ++i) {
         const double taken = out[i].worst, with = out[i].value;
-        const int asks = !isnan(out[i].slope_radius_least); /* `taken` is with the radius that was taken, too */
+        const int asks = !isnan(out[i].slope_radius_least); /* the bound also belongs to the radius that was taken */
         out[i].ok = effect[way].holds[i];
         out[i].value = effect[way].value[i];
         if (asks) out[i].ok = (out[i].value *= with / taken) <= out[i].limit;
@@ -734,9 +738,9 @@ hawser_status assumed_together(const Setup *setup, const Calculator *base, int w
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------ ends of what is assumed */
+/* ------------------------------------------------------------------------------------------ ends of assumed ranges */
 
-/* The next one. a: what is at its upper end; NULL: nothing is. */
+/* Adds the next end. a: the value at its upper end; NULL: none. */
 static hawser_status end_add(const Setup *setup, const SceneDef *def, const Assumed *a, Ends *ends, hawser_error *err)
 {
     SceneDef own;
@@ -771,20 +775,22 @@ void ends_free(Ends *ends)
     free(ends);
 }
 
-/* -------------------------------------------------------------------------------------------------- how far it goes */
+/* -------------------------------------------------------------------------------------------------- ranges of the
+ * search */
 
-/* By which a bend is made wider than it must be; more of it where stiffness leaves too little. */
+/* Factors by which a bend is wider than required; the larger ones are for cases where stiffness leaves too little
+ * margin. */
 static const double SPARES[] = {1.001, 1.05, 1.15, 1.4};
 
-static const double FARTHEST = 1000; /* times as wide: no bend is made wider */
+static const double FARTHEST = 1000; /* largest factor on a bend's radius */
 
-static const double STEP = 0.85, LEAST = 0.02; /* of friction, which is looked for down to that share */
+static const double STEP = 0.85, LEAST = 0.02; /* factor between trials of friction, and the least factor */
 
 /* ---------------------------------------------------------------------------------------------------------- ducts */
 
-static const double WIDEST = 8, DUCT_STEP = 1.005; /* times the diameter: how far, and in which steps it is looked */
+static const double WIDEST = 8, DUCT_STEP = 1.005; /* times the diameter: the widest, and the factor between trials */
 
-/* Whether a duct's own limits hold with that inside diameter. */
+/* Checks whether a duct's own limits hold with this inside diameter. */
 static int duct_holds(const SceneDef *def, const SurfaceDef *duct, double diameter)
 {
     SurfaceDef other = *duct;
@@ -801,7 +807,7 @@ static int duct_holds(const SceneDef *def, const SurfaceDef *duct, double diamet
     return holds;
 }
 
-/* The diameter at which that changes, between two: on the side of `holds`. */
+/* Diameter at the transition between two trials, on the side of `holds`. */
 static double duct_end(const SceneDef *def, const SurfaceDef *duct, double holds, double fails)
 {
     for (int i = 0; i < 40; ++i) {
@@ -817,13 +823,13 @@ int mend_duct(const SceneDef *def, int surface, MendDuct *out)
     const double now = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius), narrowest = bundle_diameter(def);
     double wide = WIDEST * now, narrow = now, next = now;
     *out = (MendDuct){surface, now, NAN, INFINITY};
-    if (duct_holds(def, duct, wide)) { /* down from where it is certain: a little wider it may not hold again */
+    if (duct_holds(def, duct, wide)) { /* search downward from one that holds: the next wider one may fail again */
         while (wide > now && duct_holds(def, duct, wide / DUCT_STEP)) wide /= DUCT_STEP;
         out->least = duct_end(def, duct, wide, wide / DUCT_STEP);
         return 1;
     }
     while (next < wide && !duct_holds(def, duct, next)) next *= DUCT_STEP;
-    if (next < wide) { /* a layout that is given may have no place in wide ones */
+    if (next < wide) { /* a given layout may not exist in wide ducts */
         out->least = duct_end(def, duct, next, next / DUCT_STEP);
         while (duct_holds(def, duct, next)) next *= DUCT_STEP;
         out->most = duct_end(def, duct, next / DUCT_STEP, next);
@@ -837,14 +843,14 @@ int mend_duct(const SceneDef *def, int surface, MendDuct *out)
     return 1;
 }
 
-/* Up to three digits. */
+/* Rounds up to three digits. */
 static double round_up(double x)
 {
     const double step = pow(10, floor(log10(x)) - 2);
     return ceil(x / step - 1e-9) * step;
 }
 
-/* Finds other diameters for the ducts that need them, and puts them into a copy of the definition. */
+/* Finds new diameters for the ducts that need them, and sets them in a copy of the definition. */
 static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, hawser_error *err)
 {
     const hawser_status status = scene_def_copy(setup->def, def, err);
@@ -867,16 +873,16 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
 typedef struct MendTrial {
     const Ends *ends;
     const Route *route;
-    int n; /* of the ends that are asked: the first alone, or all */
+    int n; /* number of ends that are checked: the first alone, or all */
     int way;
-    int of_run;                 /* a run's limits stand for theory's */
-    double factor[LIMIT_KINDS]; /* by which a run's limit is theory's; NAN: it has none of that kind */
-    double more[LIMIT_KINDS];   /* and by how much it is more */
-    int searching;              /* for what is safe: what radii do alone does not matter */
-    double spare;               /* of SPARES */
+    int of_run;                 /* the limits are a run's */
+    double factor[LIMIT_KINDS]; /* factor from theory's limit to the run's; NAN: the run has none of that kind */
+    double more[LIMIT_KINDS];   /* and their difference */
+    int searching;              /* the search is for a safe pull: radii without success do not matter */
+    double spare;               /* one of SPARES */
     double *radii;              /* [pieces] factors */
     double friction;            /* factor */
-    int n_limits;               /* of the first when it was looked at last */
+    int n_limits;               /* limits of the first end when last computed */
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_status status;
     hawser_error *err;
@@ -888,8 +894,8 @@ static void add_name(char still[MEND_STILL_MAX], const char *name)
     if (n + strlen(name) + 3 < MEND_STILL_MAX) snprintf(still + n, MEND_STILL_MAX - n, "%s%s", n ? ", " : "", name);
 }
 
-/* Whether all limits and conditions hold at the values that were taken (ranges of what is assumed are not looked at);
- * otherwise what is not kept, by name. A run has the stiffness in its figures. */
+/* Checks whether all limits and conditions hold at the values taken, without the ranges of assumed values; `still`
+ * names those that do not. A run's figures include the stiffness. */
 static int is_kept(const MendTrial *t, const Setup *setup, const Calculator *c, char still[MEND_STILL_MAX])
 {
     const int way = t->way;
@@ -907,7 +913,7 @@ static int is_kept(const MendTrial *t, const Setup *setup, const Calculator *c, 
 
 static int is_asked(const MendTrial *t, int end) { return end == 0 || t->friction == 1 || !t->ends->of_friction[end]; }
 
-/* A run that is changed is another one: so much of its error bound, or of its figure, is taken off. */
+/* Reserve for a changed run: times its error bound, or a share of its value. */
 static const double RUN_SPARE = 1.5, RUN_LEAST = 0.05;
 
 static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
@@ -917,7 +923,7 @@ static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
     return NAN;
 }
 
-/* Finds by which factors a run's limits are theory's. */
+/* Finds the factors from theory's limits to a run's. */
 static void factors_find(MendTrial *t, const Calculator *base, int n_run, const hawser_limit *run, Mend *out)
 {
     for (int k = 0; k < LIMIT_KINDS; ++k) {
@@ -938,7 +944,7 @@ static void factors_find(MendTrial *t, const Calculator *base, int n_run, const 
     }
 }
 
-/* Theory's limits as a run's: what a run has more may go with the pull, or stay. */
+/* Converts theory's limits to a run's: the excess of the run may be proportional to the pull or constant. */
 static void as_run(const MendTrial *t, Calculator *c)
 {
     for (int i = 0; i < c->n_limits; ++i) {
@@ -953,7 +959,7 @@ static void as_run(const MendTrial *t, Calculator *c)
     }
 }
 
-/* Solves it; 0 if that cannot be done, or there is no memory. */
+/* Solves the varied pull; returns 0 without a solution or memory. */
 static int mend_solve(MendTrial *t, int end, Calculator *c)
 {
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
@@ -968,7 +974,7 @@ static int mend_solve(MendTrial *t, int end, Calculator *c)
     return !status;
 }
 
-/* What is allowed of theory's value. */
+/* Allowed value for theory's limit of this kind. */
 static double allowed_of(const MendTrial *t, const Calculator *c, hawser_limit_kind kind)
 {
     for (int i = 0; i < c->n_limits; ++i) {
@@ -980,7 +986,7 @@ static double allowed_of(const MendTrial *t, const Calculator *c, hawser_limit_k
     return NAN;
 }
 
-/* By how much the bend of pieces p to `to` must be wider: its T/R at speed and from rest, and its radius. */
+/* Factor by which the bend of pieces p to `to` must be wider, for its T/R (moving and from rest) and its radius. */
 static double bend_needs(const MendTrial *t, const Calculator *c, int p, int to)
 {
     const PlanWay *const w = &c->plan.way[t->way];
@@ -1002,7 +1008,7 @@ double mend_radius_given(const SceneDef *def, const Route *route, int p)
     return piece->kind == ROUTE_CURVE && piece->upright && bend > 0 ? 1 / bend : route->piece[p].radius;
 }
 
-/* The radius is rounded as it is given in the case. */
+/* Widens the bend; the radius is rounded as the case gives it. */
 static void bend_widen(const MendTrial *t, int p, int to, double needs)
 {
     const Route *const route = t->route;
@@ -1020,7 +1026,7 @@ static void radii_reset(const MendTrial *t)
     for (int k = 0; k < t->route->n; ++k) t->radii[k] = 1;
 }
 
-/* Whether the pull itself is more than a limit allows: a wider bend is longer, and takes nothing off. */
+/* Checks whether the pull itself exceeds a limit: wider bends are longer and do not reduce it. */
 static int is_overpulled(const MendTrial *t, const Calculator *c)
 {
     for (int i = 0; i < c->n_limits; ++i) {
@@ -1030,8 +1036,8 @@ static int is_overpulled(const MendTrial *t, const Calculator *c)
     return 0;
 }
 
-/* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed, a bend would be too wide, or
- * safety is looked for and bends do not lead to it; *tight: something was. */
+/* Widens the bends that are too tight at one of the ends. Returns 0 if that cannot be computed, a bend would be too
+ * wide, or bends cannot make the searched pull safe; *tight: some bend was too tight. */
 static int widen(MendTrial *t, int end, int *tight)
 {
     const Route *const route = t->route;
@@ -1050,8 +1056,8 @@ static int widen(MendTrial *t, int end, int *tight)
     return solved && !far;
 }
 
-/* Widens from what is there, bend by bend, until none is too tight; 0: it does not end. A wider bend has more friction
- * of weight, so that the bends behind it may need more. */
+/* Widens the bends step by step until none is too tight; returns 0 if that does not end. A wider bend has more friction
+ * of weight, so that later bends may need more. */
 static int radii_find(MendTrial *t)
 {
     for (int round = 0; round < 20 + 2 * t->route->n; ++round) {
@@ -1063,7 +1069,7 @@ static int radii_find(MendTrial *t)
     return 0;
 }
 
-/* Whether it is safe as it stands; of the last end that it is not at, what is not kept. */
+/* Checks whether the present state is safe; `still` names what does not hold at the last end that is not. */
 static int is_safe(MendTrial *t, char still[MEND_STILL_MAX])
 {
     int safe = 1;
@@ -1081,7 +1087,8 @@ static int is_safe(MendTrial *t, char still[MEND_STILL_MAX])
     return safe;
 }
 
-/* With that friction and the radii that it needs, wider where these alone leave no room for the stiffness. */
+/* Checks whether this friction is safe with the radii that it needs, made wider if stiffness leaves too little margin.
+ */
 static int safe_with(MendTrial *t, double friction, char still[MEND_STILL_MAX])
 {
     int safe = 0;
@@ -1099,7 +1106,8 @@ static int safe_with(MendTrial *t, double friction, char still[MEND_STILL_MAX])
     return safe;
 }
 
-/* The largest friction that does, at most `from` times as much, rounded down, with the radii that it needs; 0: none. */
+/* Finds the largest friction that is safe with its radii, at most `from` times the present one, rounded down; returns 0
+ * if there is none. */
 static int friction_find(MendTrial *t, double now, double from)
 {
     char still[MEND_STILL_MAX];
@@ -1127,8 +1135,8 @@ static void mend_say(const MendTrial *t, Mend *out)
     if (t->friction < 1) out->friction = t->friction * out->now;
 }
 
-/* Radii alone; where these are not enough with less friction, at most `from` times as much. Returns whether it is safe
- * then. */
+/* Tries radii alone, then with less friction, at most `from` times the present one. Returns whether the result is safe.
+ */
 static int all_find(MendTrial *t, Mend *out, double from)
 {
     if (from >= STEP && safe_with(t, 1, out->still)) return 1;
@@ -1137,8 +1145,8 @@ static int all_find(MendTrial *t, Mend *out, double from)
     return 1;
 }
 
-/* What mends the case as it was taken, and then, from there on, with what is assumed at its ends; where nothing mends
- * those, the first. */
+/* Finds changes that make the case safe with the values taken, and then from there with the assumed values at their
+ * ends; if nothing achieves the second, the first stays. */
 static int ends_find(MendTrial *t, Mend *out, int ends)
 {
     const size_t size = (size_t)t->route->n * sizeof *t->radii;
@@ -1168,7 +1176,7 @@ static hawser_status find(MendTrial *t, Mend *out)
     const int ends = t->n;
     out->safe = ends_find(t, out, ends);
     t->n = 1;
-    if (!out->safe) { /* what radii alone do, and what they do not */
+    if (!out->safe) { /* keep the result of radii alone, and what it leaves broken */
         t->friction = 1;
         radii_reset(t);
         if (!radii_find(t)) radii_reset(t);
@@ -1178,7 +1186,7 @@ static hawser_status find(MendTrial *t, Mend *out)
     t->n = ends;
     if (!out->safe || t->status) return t->status;
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
-    const int bounds = t->way == PLAN_FORWARD; /* of the other way the word alone is said */
+    const int bounds = t->way == PLAN_FORWARD; /* the other direction has a verdict only */
     t->status = assumed_judge_varied(&t->ends->at[0].setup, &by, bounds, t->n_limits, t->limit, t->err);
     out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
     for (int i = 0; i < t->n_limits; ++i) {

@@ -1,10 +1,10 @@
-/* Theory of a definition, whole: for those who ask what becomes of a case that is changed. */
+/* Complete theory of a definition, for callers that change a case. */
 #ifndef HAWSER_THEORY_MEND_H
 #define HAWSER_THEORY_MEND_H
 
 #include "theory/calculator.h"
 
-/* Its parts borrow from each other: it stays where it is made. */
+/* Its parts borrow from each other: it must not be moved in memory. */
 typedef struct Solved {
     SceneDef def;
     Setup setup;
@@ -12,21 +12,20 @@ typedef struct Solved {
     Calculator c;
 } Solved;
 
-/* Solves a definition that is its own from now on. company: of the case that it comes from; stays. Errors: as
- * setup_make and calculator_build. Give it back with solved_free, also after an error. */
+/* Solves a definition and takes ownership of it. company: of the original case, must outlive the result. Errors: as
+ * setup_make and calculator_build. The result must be freed with solved_free, also after an error. */
 hawser_status solved_make(const SceneDef *own, const Company *company, int forward_only, Solved *out,
                           hawser_error *err);
 void solved_free(Solved *s);
-/* Values that a case does not give and that its limits depend on: friction, friction at rest, back tension, radii of
- * changes of slope. Each limit
- * is judged at the unfavourable end of the usual range of one of them at a time. docs/reference/limits.md, "What is
- * assumed". */
+/* Values that a case does not give and that its limits depend on: friction, static friction, back tension, radii of
+ * changes of slope. Each limit is judged at the unfavourable end of the usual range of one of them at a time.
+ * docs/reference/limits.md, "What is assumed". */
 
 typedef enum AssumedKind {
-    ASSUMED_RADIUS,   /* of changes of slope: it has no range, and a limit that it breaks asks for a wider one */
-    ASSUMED_FRICTION, /* typical of what is named: it has a range */
-    ASSUMED_UNKNOWN,  /* friction of which nothing is known: what it touches is not judged */
-    ASSUMED_REST,     /* friction at rest where one coefficient is given */
+    ASSUMED_RADIUS,   /* of changes of slope: it has no range; a limit that it breaks requires a wider one */
+    ASSUMED_FRICTION, /* typical of the named materials: it has a range */
+    ASSUMED_UNKNOWN,  /* unknown friction: limits that depend on it are not judged */
+    ASSUMED_REST,     /* static friction where the case gives one coefficient */
     ASSUMED_BACK,     /* back tension */
     ASSUMED_KINDS
 } AssumedKind;
@@ -36,48 +35,50 @@ enum { ASSUMED_KEY_MAX = 48 };
 typedef struct Assumed {
     AssumedKind kind;
     const char *name, *unit;
-    double value, low, high;   /* taken; its usual range. NAN: no range is known */
-    int more;                  /* other keys that give it elsewhere */
-    char key[ASSUMED_KEY_MAX]; /* of the case, to give it */
+    double value, low, high;   /* the value taken; its usual range. NAN: unknown */
+    int more;                  /* number of other keys with the same assumption */
+    char key[ASSUMED_KEY_MAX]; /* key of the case that gives it */
     char source[96];
 } Assumed;
 
-/* Lists what the definition leaves open and theory uses, of several frictions the largest. Returns how many there
- * are. */
+/* Lists the values that the definition leaves open and theory uses, of several frictions the largest. Returns their
+ * number. */
 int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS]);
 /* The case's key of a surface: "surfaces.ducts.2.radius" of its key "radius". */
 void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KEY_MAX]);
-/* A friction that theory reckons with, and the section of the case that gives it. */
+/* A friction that theory uses, and the section of the case that gives it. */
 typedef struct FrictionUsed {
     double moving, rest; /* 1 */
     int rest_assumed;
     char key[ASSUMED_KEY_MAX]; /* "friction", "surfaces.ducts.0.friction", "theory.stretches.1" */
 } FrictionUsed;
 
-/* Lists them, one of each section, at most `most`. Returns how many there are. */
+/* Lists the frictions, one of each section, at most `most`. Returns their number. */
 int frictions_used(const Setup *setup, int most, FrictionUsed out[]);
-/* Sets `worst`, `assumed` and the bounds of limits that were judged, limit[way][n] of the first `ways` ways; what an
- * unknown friction touches is no longer judged. base: theory of the case, of which the limits are; NULL: they are a
- * run's, whose values change as theory's do. bounds: 0: the values taken stand for bounds, and where a limit is broken
- * anyway the others are not varied, for those who need the word alone. Errors: as calculator_build. */
+/* Sets `worst`, `assumed` and the bounds of judged limits, limit[way][n] of the first `ways` directions; limits that
+ * depend on an unknown friction become unjudged. base: the case's theory, whose limits these are; NULL: they are a
+ * run's, and change as theory's do. bounds: 0 for the verdict alone: the values taken stand for the bounds, and after a
+ * broken limit nothing more is varied. Errors: as calculator_build. */
 hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
                             hawser_limit *const limit[], hawser_error *err);
-/* Computes all limits of a way, and whether they hold, with all that is assumed at its upper end. Errors: as above. */
+/* Computes all limits of a direction, and whether they hold, with all assumed values at their upper ends. Errors: as
+ * above. */
 hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],
                                hawser_error *err);
-/* What would make a pull safe, computed again with all limits: ducts in which the cables jam or have no room, radii of
- * the bends that are too tight, all together, and less friction where that is not enough. docs/model.md, "The planner's
- * calculation", (PN12). */
+/* Changes that make a pull safe, recomputed with all limits: wider ducts where the cables jam or do not fit, wider
+ * bends, all together, and less friction where that is not enough. docs/model.md, "The planner's calculation", (PN12).
+ */
 
-/* A case as it is, and with each of what is assumed at its upper end: what holds for them all is sure. */
+/* A case as it is, and with each assumed value at its upper end: a result that holds for all of them does not depend on
+ * the assumptions. */
 typedef struct Ends {
     int n;
     Solved at[1 + ASSUMED_KINDS];
-    int of_friction[1 + ASSUMED_KINDS]; /* friction itself is assumed there: where it is changed it is known */
+    int of_friction[1 + ASSUMED_KINDS]; /* friction itself is at its end: no longer assumed once it is changed */
 } Ends;
 
-/* Solves them; one that cannot be computed is left out. def: the setup's, or that with other ducts. Errors: as
- * solved_make. Give it back with ends_free. */
+/* Solves the ends, and leaves out those that cannot be computed. def: the setup's, or that with other ducts. Errors: as
+ * solved_make. The result must be freed with ends_free. */
 hawser_status ends_make(const Setup *setup, const SceneDef *def, Ends **out, hawser_error *err);
 void ends_free(Ends *ends);
 enum { MEND_BENDS_MAX = 64, MEND_DUCTS_MAX = 8, MEND_STILL_MAX = 160 };
@@ -88,36 +89,37 @@ typedef struct MendBend {
     double now, radius; /* m, as the case gives it; rounded up to three digits */
 } MendBend;
 
-/* Inside diameters, m, with which a duct's limits hold: from one on, or, where no wide one does, those next above its
- * own, or else next below. */
+/* Inside diameters, m, with which a duct's limits hold: all from `least` on, or, if wide ones fail, the next range
+ * above the duct's own, else below it. */
 typedef struct MendDuct {
     int surface; /* of the definition */
     double now, least, most;
-    double taken; /* of a mended pull: with which it was computed */
+    double taken; /* of a mended pull: the diameter used */
 } MendDuct;
 
 typedef struct Mend {
     int way;
-    int safe;        /* with all of it every limit and condition holds, at the values that were taken */
-    char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..."; backward without bounds */
-    int conditional; /* the second */
-    unsigned beside; /* 1 << kind: limits that are broken in a run and that theory does not know */
-    int unjudged;    /* or neither: of the friction, or of what is allowed, nothing is known */
+    int safe;        /* every limit and condition holds with these changes, at the values taken */
+    char word[96];   /* verdict with the assumed ranges: "SAFE", "SAFE ONLY IF ..."; backward without bounds */
+    int conditional; /* the verdict is conditional */
+    unsigned beside; /* 1 << kind: limits that are broken in a run and unknown to theory */
+    int unjudged;    /* or NOT JUDGED: friction or allowed values are unknown */
     int n, n_ducts;
     MendBend bend[MEND_BENDS_MAX];
-    MendDuct duct[MEND_DUCTS_MAX]; /* computed with the end that is nearer */
-    double now, friction;          /* the largest coefficient, rounded down; friction NAN: it stays as it is */
-    char still[MEND_STILL_MAX];    /* what is not kept all the same: limits and conditions, by name */
+    MendDuct duct[MEND_DUCTS_MAX]; /* computed with the nearer end */
+    double now, friction;          /* largest coefficient, rounded down; friction NAN: unchanged */
+    char still[MEND_STILL_MAX];    /* names of limits and conditions that still do not hold */
 } Mend;
 
-/* Of a way that is not safe; n of 0 and friction NAN where neither helps. run[n_run]: a run's limits, which stand for
- * theory's then: what each has more than theory's may go with the pull or stay, whichever is worse; NULL: there are
- * none. ends: of the case; NULL: it makes its own. Errors: MEMORY. */
+/* Finds changes for a direction that is not safe; n of 0 and friction NAN if neither helps. run[n_run]: a run's limits
+ * in place of theory's; their excess over theory's counts as proportional to the pull or constant, whichever is worse;
+ * NULL: none. ends: of the case; NULL: computed here. Errors: MEMORY. */
 hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
                         const hawser_limit *run, Mend *out, hawser_error *err);
-/* The radius of a bend as the case gives it, m: in plan, where it keeps its grade on a slope. */
+/* Radius of a bend as the case gives it, m: in plan if the bend keeps its grade on a slope. */
 double mend_radius_given(const SceneDef *def, const Route *route, int piece);
-/* Of a duct whose limits do not hold. 0: no diameter from the cable's up to eight times as wide does. */
+/* Finds diameters for a duct whose limits do not hold. Returns 0 if there is none between the cable's and eight times
+ * that. */
 int mend_duct(const SceneDef *def, int surface, MendDuct *out);
 
 #endif

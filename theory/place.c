@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 
-/* m between the points of the grid, which has no more than GRID_MOST of them; halvings of the search in between. */
+/* Distance between grid points, m; at most GRID_MOST of them; number of halvings between them. */
 static const double STEP = 0.25;
 
 enum { GRID_MOST = 20000, HALVINGS = 60 };
@@ -33,7 +33,8 @@ static Vec3 offset(Vec3 point, Vec3 at, int space)
     return space ? d : v3(d.x, d.y, 0);
 }
 
-/* Where (PC1) holds between a and b, along which the distance first falls and then rises; else the nearer end. */
+/* Finds the place that fulfils (PC1) between a and b, where the distance first falls and then rises; else the nearer
+ * end. */
 static double foot(const Route *route, Vec3 point, int space, double a, double b)
 {
     for (int i = 0; i < HALVINGS; ++i) {
@@ -47,7 +48,7 @@ static double foot(const Route *route, Vec3 point, int space, double a, double b
     return (a + b) / 2;
 }
 
-/* Every place of the grid that is nearer than its neighbours, and near enough to be the nearest, is looked into. */
+/* Refines every local minimum of the grid that is near enough to be the nearest. */
 Nearest route_nearest(const RouteGrid *grid, Vec3 point, int space)
 {
     Nearest best = {.distance = INFINITY, .other = INFINITY};
@@ -82,7 +83,7 @@ Nearest route_nearest(const RouteGrid *grid, Vec3 point, int space)
 
 /* Rollers by rule: (PC4)-(PC8). */
 
-/* The list as it grows. */
+/* The growing list of rollers. */
 typedef struct Placing {
     const PlaceLine *line;
     const PlaceRule *rule;
@@ -91,7 +92,7 @@ typedef struct Placing {
     hawser_error *err;
 } Placing;
 
-/* Parts in which a stretch is looked at; N/m below which nothing presses. */
+/* Parts per stretch for inspection; force below which nothing presses, N/m. */
 enum { PARTS_LEAST = 16, PARTS_MOST = 4000 };
 
 static const double PART = 0.05, FORCE_MIN = 1e-6;
@@ -110,7 +111,7 @@ static hawser_status placing_add(Placing *p, double s, PlaceSide side)
     return HAWSER_OK;
 }
 
-/* Whether the cable would lift off with the reserve (PC7). */
+/* Checks whether the cable would lift off with the reserve (PC7). */
 static int lifts(const Placing *p, double s)
 {
     const RoutePoint at = route_at(p->line->route, s);
@@ -119,8 +120,8 @@ static int lifts(const Placing *p, double s)
     return p->rule->reserve * tension * v3_dot(at.curvature, up) > p->line->weight * up.z + FORCE_MIN;
 }
 
-/* N/m that rollers of a side must be planned for at s, (PC4); below 0: none are wanted there. Carriers bear the weight
- * before there is a tension, and in level bends without guides the turning force too. */
+/* Load that rollers of a side are planned for at s, N/m, (PC4); below 0: none are needed. Carriers bear the weight
+ * before there is tension, and the turning force as well in level bends without guides. */
 static double planned(const Placing *p, double s, PlaceSide side)
 {
     const LineLoad f = line_load(p->line, s);
@@ -132,7 +133,7 @@ static double planned(const Placing *p, double s, PlaceSide side)
     return hypot(fmax(weight, f.up), p->rule->guides ? 0 : f.left);
 }
 
-/* The largest spacing at s, (PC5). */
+/* Largest spacing at s, m, (PC5). */
 static double spacing_at(const Placing *p, double s, double load)
 {
     const int bend = v3_norm(route_at(p->line->route, s).curvature) > 0;
@@ -140,8 +141,8 @@ static double spacing_at(const Placing *p, double s, double load)
     return p->rule->allowed > 0 && load > 0 ? fmin(usual, p->rule->allowed / load) : usual;
 }
 
-/* The stretch from a to b, on all of which the side is wanted: equal shares of (PC6), a roller in the middle of each.
- */
+/* Places rollers on a stretch from a to b that needs them throughout: equal shares of (PC6), a roller in the middle of
+ * each. */
 static hawser_status stretch_fill(Placing *p, double a, double b, PlaceSide side)
 {
     const int parts = (int)fmin(PARTS_MOST, fmax(PARTS_LEAST, ceil((b - a) / PART)));
@@ -165,7 +166,7 @@ static hawser_status stretch_fill(Placing *p, double a, double b, PlaceSide side
     return status;
 }
 
-/* One piece of the route, or what of it lies between a and b: each part where the side is wanted is a stretch. */
+/* Places rollers on a part of one piece of the route, between a and b: each part that needs this side is a stretch. */
 static hawser_status piece_fill(Placing *p, double a, double b, PlaceSide side)
 {
     const int parts = (int)fmin(PARTS_MOST, fmax(PARTS_LEAST, ceil((b - a) / PART)));
@@ -182,7 +183,7 @@ static hawser_status piece_fill(Placing *p, double a, double b, PlaceSide side)
     return status;
 }
 
-/* Piece by piece, so that a bend, however short, has a roller of its own (PC8). */
+/* Rollers are placed piece by piece, so that a bend, however short, has its own (PC8). */
 hawser_status place_by_rule(const PlaceLine *line, const PlaceRule *rule, int most, PlacedRoller **out, int *n,
                             hawser_error *err)
 {
@@ -203,7 +204,7 @@ hawser_status place_by_rule(const PlaceLine *line, const PlaceRule *rule, int mo
     return status;
 }
 
-/* What supports bear: (PC3), (PC9). */
+/* Loads of supports: (PC3), (PC9). */
 
 LineLoad line_load(const PlaceLine *line, double s)
 {
@@ -216,7 +217,7 @@ LineLoad line_load(const PlaceLine *line, double s)
     return f;
 }
 
-/* N/m that a support on this side bears of it; 0: the cable is off it. */
+/* Share of the force that a support on this side bears, N/m; 0: the cable is not in contact. */
 static double share_of(LineLoad f, PlaceSide side, int whole)
 {
     if (whole) return side == PLACE_BELOW && f.up < 0 ? 0 : f.size;
@@ -224,7 +225,7 @@ static double share_of(LineLoad f, PlaceSide side, int whole)
     return fmax(0, toward[side]);
 }
 
-/* The load between a and b: by Gauss' two points on parts that end where pieces of the route do. */
+/* Load between a and b, N: Gauss' two points on parts that end at the ends of the route's pieces. */
 static double load_between(const PlaceLine *line, const Support *support, double a, double b)
 {
     enum { PARTS = 8 };
@@ -250,8 +251,8 @@ static int compare_supports(const void *a, const void *b)
     return (x->item > y->item) - (x->item < y->item);
 }
 
-/* The next support of the same side in one direction; where there is none, the cable's end takes the half of what lies
- * between. */
+/* Place of the next support of the same side in one direction; without one the end of the cable, which takes half of
+ * the load between. */
 static double neighbour(const PlaceLine *line, int n, const Support *support, int i, int step)
 {
     const double end = step < 0 ? fmin(line->from, support[i].s) : fmax(line->to, support[i].s);

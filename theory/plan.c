@@ -21,14 +21,14 @@ double plan_last(const PlanDef *def, int way)
 
 double plan_allowance(const PlanDef *def, int way)
 {
-    /* of what lies where the pull starts: it is what the reel pays out */
+    /* weight of the stretch where the pull starts, which the reel pays out */
     const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
     return weight * def->rope_length + def->rope_force + def->drawn[way];
 }
 
 /* --------------------------------------------------------------------------------------------- sections */
 
-/* The pit that comes next behind s along the pull and before its end; -1: none. */
+/* The next pit after s along the pull and before its end; -1: none. */
 static int next_pit(const PlanDef *def, int way, double s)
 {
     const int sign = way_sign(way);
@@ -41,19 +41,20 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
-/* The weight that counts on a straight of unlike pieces, of which lies where nobody says: the heaviest where weight
- * holds (`metre`: its share that does, >= 0) and the lightest where it runs ahead; for the least tension the other one
- * (T28). */
+/* Weight that counts on a straight whose pieces of cable differ and have unknown positions: the heaviest where weight
+ * holds back (`metre`, share of the weight that does, >= 0), the lightest where it runs ahead; for the least tension
+ * the reverse (T28). */
 static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
 {
     const int light = def->lightest > 0 && def->slack == (metre >= 0);
     return light ? fmin(def->lightest, s->weight) : s->weight;
 }
 
-/* What a metre holds back with, as a share of its weight, on a straight that rises by so much per metre. */
+/* Share of its weight with which a metre holds back on a straight that rises by `rise` per metre. */
 static double share_held(double rise, double mu) { return rise + mu * sqrt(fmax(0, 1 - rise * rise)); }
 
-/* Of what still lies behind the start, pulled forward (T27): the most or the least of the whole pull, N. */
+/* Tension from the cable that still lies behind the start, pulled forward (T27): the most or the least of the whole
+ * pull, N. */
 static double behind_tension(const PlanDef *def, int way, int restart)
 {
     if (way == PLAN_BACKWARD) return 0;
@@ -64,7 +65,7 @@ static double behind_tension(const PlanDef *def, int way, int restart)
     return def->slack ? fmin(first, last) : fmax(first, last);
 }
 
-/* The pit that stands where the pull begins; -1: none. */
+/* The pit at the start of the pull; -1: none. */
 static int first_pit(const PlanDef *def, int way)
 {
     int i = def->n_steps - 1;
@@ -72,8 +73,8 @@ static int first_pit(const PlanDef *def, int way)
     return i;
 }
 
-/* (T24) less the push: of what lies where the pull begins, which is what the reel pays out; that of a pit that is there
- * (PN3). */
+/* Tension (T24) less the push, N, with the weight of the stretch where the pull begins, which the reel pays out; at a
+ * pit the pit's own (PN3). */
 static double start_tension(const PlanDef *def, int way)
 {
     const int pit = first_pit(def, way);
@@ -117,7 +118,7 @@ PlanSection plan_section_at(const PlanDef *def, int way, double head)
     return s;
 }
 
-/* ------------------------------------------------------------------------------ what lies on the route */
+/* ------------------------------------------------------------------------------ stretches of the route */
 
 /* The stretches of one pull, by rising place. */
 typedef struct Course {
@@ -125,7 +126,7 @@ typedef struct Course {
     PullStretch *stretch; /* [n] */
 } Course;
 
-/* The factor of friction at a length, that of the last row that begins before it; 1 ahead of the first. */
+/* Friction factor at a length: that of the last row that begins before it; 1 before the first. */
 static double wear_at(const PlanDef *def, double length)
 {
     double factor = 1;
@@ -133,7 +134,7 @@ static double wear_at(const PlanDef *def, double length)
     return factor;
 }
 
-/* The length that wear goes by at s, and its inverse, with the head at `head`: (PN4). */
+/* Length that determines the wear at s, with the head at `head`, and its inverse: (PN4). */
 static double wear_length(const PlanDef *def, int way, double head, double s)
 {
     return way_sign(way) * (def->wear_by == WEAR_CABLE ? s - plan_first(def, way) : head - s);
@@ -144,13 +145,13 @@ static double wear_place(const PlanDef *def, int way, double head, double length
     return def->wear_by == WEAR_CABLE ? plan_first(def, way) + way_sign(way) * length : head - way_sign(way) * length;
 }
 
-/* What the friction of a stretch is multiplied by at s, with the cable's head at `head`: wear (PN4). */
+/* Friction factor at s by wear (PN4), with the cable's head at `head`. */
 static double plan_friction_factor(const PlanDef *def, int way, double head, double s)
 {
     return wear_at(def, wear_length(def, way, head, s));
 }
 
-/* Cable up to the head and rope beyond it, friction by wear, the duct's correction on the cable. */
+/* Builds a stretch: cable up to the head and rope beyond it, friction by wear, the duct's correction on the cable. */
 static PullStretch stretch_make(const PlanDef *def, int way, double head, double begin, double middle)
 {
     PullStretch s = *stretch_at(def->n_stretches, def->stretch, middle);
@@ -160,7 +161,7 @@ static PullStretch stretch_make(const PlanDef *def, int way, double head, double
         s.mu = s.mu_rope;
         s.mu_static = s.mu_rope_static;
         s.share = 1;
-        s.room = 0; /* nobody pushes a rope */
+        s.room = 0; /* a rope is never in compression */
         return s;
     }
     const double factor = plan_friction_factor(def, way, head, middle);
@@ -170,7 +171,7 @@ static PullStretch stretch_make(const PlanDef *def, int way, double head, double
     return s;
 }
 
-/* Every place at which something changes, then what lies between. */
+/* Collects every place where something changes, then the stretches between them. */
 static hawser_status course_make(const PlanDef *def, int way, double head, Course *out, hawser_error *err)
 {
     out->stretch = malloc((size_t)(def->n_stretches + def->n_wear + 1) * sizeof *out->stretch);
@@ -191,8 +192,8 @@ static hawser_status course_make(const PlanDef *def, int way, double head, Cours
 
 /* -------------------------------------------------------------------------------------------------- the pull */
 
-/* Pushes and machines that the cable has reached, in `step` [n_pushes + n_steps]: the rope runs through them. A pit at
- * which a section begins or ends is its start or its end. Returns how many. */
+/* Collects pushes and machines that the cable has reached in `step` [n_pushes + n_steps]; the rope passes them freely.
+ * Pits at the ends of a section are not steps. Returns the number. */
 static int steps_collect(const PlanDef *def, const PlanPullDef *what, double head, PullStep *step)
 {
     const int sign = way_sign(what->way);
@@ -211,7 +212,7 @@ static int steps_collect(const PlanDef *def, const PlanPullDef *what, double hea
     return n;
 }
 
-/* By how much a section's tension at its start is more from rest, N. */
+/* Increase of a section's start tension from rest, N. */
 static double start_rest(const PlanDef *def, const PlanPullDef *what, const PlanSection *section)
 {
     if (!what->restart || section->begins >= 0 || first_pit(def, what->way) >= 0) return 0;
@@ -263,7 +264,7 @@ hawser_status plan_pull(const PlanDef *def, const PlanPullDef *what, Pull *out, 
     return status;
 }
 
-/* Whether no friction is larger at rest, so that a restart is the pull at speed (PN2). */
+/* Checks that no static friction is larger, so that a restart equals the moving pull (PN2). */
 static int restarts_alike(const PlanDef *def)
 {
     for (int i = 0; i < def->n_stretches; i++) {
@@ -273,8 +274,8 @@ static int restarts_alike(const PlanDef *def)
     return 1;
 }
 
-/* One place. before[2]: what was solved for another, at speed and from rest, of which spans are taken over; it becomes
- * this place's. */
+/* Solves one place of the head. before[2]: solutions of another place, moving and from rest, whose spans are reused;
+ * replaced by this place's. */
 static hawser_status head_solve(const PlanDef *def, int way, double head, Pull before[2], HeadForce *out,
                                 hawser_error *err)
 {
@@ -313,16 +314,16 @@ typedef struct Places {
     double *s; /* [n] m */
 } Places;
 
-/* Where the force has corners: ends of pieces, of stretches, machines. Ahead of a machine, as it has not begun to push
- * yet, the force is as large as anywhere near, and just behind a pit, from which the cable is pulled anew, it may be:
- * these places too, by this much of the route. */
+/* Places where the force has corners: ends of pieces and stretches, machines. Just before a machine, which does not
+ * push yet, and just behind a pit, where a new section begins, the force may be largest: these places count too, at
+ * this share of the route's length. */
 static const double JUST_AHEAD = 1e-9;
 
 static int corners_collect(const PlanDef *def, int way, double *s)
 {
     int n = 0;
     const double before = JUST_AHEAD * def->route->length * way_sign(way);
-    s[n++] = plan_last(def, way); /* the pull begins with the route */
+    s[n++] = plan_last(def, way); /* the pull ends with the route */
     for (int p = 0; p < def->route->n; p++) s[n++] = def->route->piece[p].s0;
     s[n++] = def->route->length;
     for (int i = 0; i < def->n_stretches; i++) s[n++] = def->stretch[i].from;
@@ -335,7 +336,7 @@ static int corners_collect(const PlanDef *def, int way, double *s)
     return n;
 }
 
-/* Keeps what lies on the pull, fills the gaps, and turns it into the pull's order. */
+/* Keeps the places on the pull, fills the gaps, and sorts them in the pull's order. */
 static hawser_status places_find(const PlanDef *def, int way, double apart, Places *out, hawser_error *err)
 {
     const double low = fmin(plan_first(def, way), plan_last(def, way));
@@ -369,17 +370,17 @@ static hawser_status places_find(const PlanDef *def, int way, double apart, Plac
 
 static double force_of(const HeadForce *f, int restart) { return restart ? f->restart : f->force; }
 
-/* Whichever is larger; the one found first where they are equal. */
+/* Keeps the larger one; the first of equals. */
 static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
 {
     if (force_of(f, restart) > force_of(peak, restart)) *peak = *f;
 }
 
-/* A peak that is looked for closer. */
+/* State of the refinement of a peak. */
 typedef struct Refine {
     const PlanDef *def;
     int way, restart;
-    Pull *before; /* [2], as head_solve's */
+    Pull *before; /* [2], as in head_solve */
     HeadForce *peak;
     hawser_status status;
     hawser_error *err;
@@ -395,7 +396,7 @@ static double peak_look(void *what, double head)
     return force_of(&here, r->restart);
 }
 
-/* The largest between two places on both sides of a row that is larger than they are. */
+/* Refines a maximum between the two neighbours of the largest row. */
 static hawser_status peak_refine(const PlanDef *def, int way, int restart, double a, double b, Pull before[2],
                                  HeadForce *peak, hawser_error *err)
 {
@@ -404,7 +405,7 @@ static hawser_status peak_refine(const PlanDef *def, int way, int restart, doubl
     return r.status;
 }
 
-/* Both peaks: of the rows, and beside those that stand above their neighbours. */
+/* Finds both peaks: of the rows, then refined beside local maxima. */
 static hawser_status peaks_find(const PlanDef *def, int way, Pull before[2], HeadSeries *s, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -427,10 +428,10 @@ static hawser_status peaks_find(const PlanDef *def, int way, Pull before[2], Hea
 
 /* ------------------------------------------------------------------------------------------- the peaks alone */
 
-/* Whether friction behind the head depends on where the head is. */
+/* Checks whether friction behind the head depends on the place of the head. */
 static int wears_by_head(const PlanDef *def) { return def->n_wear > 0 && def->wear_by == WEAR_PLACE; }
 
-/* The cable's tension where its head is at s; `span`, the one that s lies in, moves on with it. */
+/* Tension of the cable with its head at s; `span` advances to the one that contains s. */
 static double cable_tension(const Pull *pull, int *span, double s)
 {
     while (*span < pull->n && pull->span[*span].law.direction * (s - pull->span[*span].s1) >= 0) ++*span;
@@ -439,7 +440,7 @@ static double cable_tension(const Pull *pull, int *span, double s)
     return s == at->s0 ? at->t0 : span_integrate(&at->law, at->s0, at->t0, s, NULL);
 }
 
-/* The rope's tension at `to`, from `from` on, without a corner between them. */
+/* Tension of the rope at `to`, N, continued from `from` without a corner between. */
 static double rope_onward(const PlanDef *def, int way, int restart, double from, double to, double tension)
 {
     const double middle = from + (to - from) / 2;
@@ -453,16 +454,16 @@ static double rope_onward(const PlanDef *def, int way, int restart, double from,
     return span_integrate(&law, from, tension, to, NULL);
 }
 
-/* The places of a pull's head, and what is found there. */
+/* Places of a pull's head, and the results there. */
 typedef struct HeadCourse {
     const Places *places;
-    int i;           /* the section that is looked at begins with that place */
-    double *tension; /* [places->n] N, of the tightest rope there; NULL: not wanted */
+    int i;           /* the present section begins with that place */
+    double *tension; /* [places->n] N, of the tightest rope there; NULL: not needed */
 } HeadCourse;
 
-/* The place of the head, of those of the section that begins with place i, at which the winch needs most, and that
- * force. Of two ropes the one that is tighter at a place is so at the section's end: only the tightest is followed. i
- * becomes the next section's. */
+/* Finds the place of the head with the largest winch force in the section that begins with place i, and that force. Of
+ * two ropes the tighter one at a place stays tighter to the section's end, so only the tightest is followed. Advances i
+ * to the next section. */
 static hawser_status section_top(const PlanDef *def, int way, int restart, HeadCourse *course, int *top, double *most,
                                  hawser_error *err)
 {
@@ -490,7 +491,7 @@ static hawser_status section_top(const PlanDef *def, int way, int restart, HeadC
     return error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");
 }
 
-/* One of both peaks: the place by all sections, then beside it. */
+/* Finds one of both peaks: the place among all sections, then refined beside it. */
 static hawser_status peak_find(const PlanDef *def, int way, int restart, const Places *places, Pull before[2],
                                HeadForce *peak, hawser_error *err)
 {
@@ -536,7 +537,7 @@ hawser_status plan_peaks(const PlanDef *def, int way, HeadSeries *out, hawser_er
 
 /* -------------------------------------------------------------------------------------------------- the rope */
 
-/* Those that the head does not come to, which begins at `from`, are none. */
+/* Removes places before `from`, where the head begins. */
 static void places_begin(Places *places, int way, double from)
 {
     int before = 0;
@@ -592,7 +593,7 @@ double drawn_at(const Drawn *drawn, double s)
 {
     const RopeSeries *const rope = drawn->rope;
     if (!rope) return pull_at(drawn->pull, s).tension;
-    int low = 0, high = rope->n - 1; /* s lies between them */
+    int low = 0, high = rope->n - 1; /* s lies in between */
     const int sign = high > 0 && rope->s[high] < rope->s[0] ? -1 : 1;
     if (high < 0 || sign * (s - rope->s[0]) < 0) return 0;
     if (sign * (s - rope->s[high]) >= 0) return rope->tension[high];
@@ -607,8 +608,8 @@ double drawn_at(const Drawn *drawn, double s)
 
 /* ------------------------------------------------------------------------------------------------- the rows */
 
-/* Each row costs as much as there are corners: of a route with more than a thousand only so many rows that both
- * together stay below a million. */
+/* Limits the number of rows, since each costs time proportional to the corners: above a thousand corners the product of
+ * both stays below a million. */
 static void places_thin(Places *places)
 {
     enum { CORNERS = 1000, FEWEST = 100, WORK = 1000000 };
@@ -658,7 +659,8 @@ void plan_heads_free(HeadSeries *s)
     *s = (HeadSeries){0};
 }
 
-/* Rope all along a section, held by its weight and the friction of that: in bends there is more. */
+/* Computes the relief by rope along a whole section, held by its weight and the friction of that; bends would add
+ * friction. */
 hawser_status plan_relief(const PlanDef *def, int way, double *relief, hawser_error *err)
 {
     PlanDef rope = *def;
@@ -680,11 +682,11 @@ hawser_status plan_relief(const PlanDef *def, int way, double *relief, hawser_er
 
 /* ---------------------------------------------------------------------------------------------- the brake */
 
-/* A brake that is tried. */
+/* A trial of a brake. */
 typedef struct BrakeTrial {
     PlanDef def;
     int way;
-    double before, enough; /* N, back tension without it; compression that is rounding only */
+    double before, enough; /* N, back tension without it; compression within rounding */
     hawser_status status;
     hawser_error *err;
 } BrakeTrial;
@@ -703,7 +705,7 @@ static int brake_holds(void *what, double brake)
     return held;
 }
 
-/* The winch's force with the brake, over all places of the head. */
+/* Computes the winch force with the brake, over all places of the head. */
 static hawser_status brake_force(const PlanDef *def, int way, Brake *out, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
@@ -736,7 +738,7 @@ hawser_status plan_brake(const PlanDef *def, int way, Brake *out, hawser_error *
     out->piece = pull.min_piece;
     pull_clear(&pull);
     if (pushed > t.enough) {
-        /* no more than the compression is ever needed, but for a pit behind which the cable runs away by itself */
+        /* the compression is an upper bound, except for a pit behind which the cable runs away by itself */
         const SearchDef search = {brake_holds, &t, 2 * pushed, 1e-9 * pushed};
         const SearchBound least = search_bound(&search);
         if (t.status) return t.status;
@@ -748,7 +750,7 @@ hawser_status plan_brake(const PlanDef *def, int way, Brake *out, hawser_error *
     return brake_force(&t.def, way, out, err);
 }
 
-/* What lies along the route may stand beyond it; all else the case's keys have checked. */
+/* Checks the definition. Places may lie beyond the route; the reader of the case has checked the rest. */
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
 {
     assert(def->route && def->n_stretches >= 1 && def->reel_length >= 0 && def->rope_length >= 0);
@@ -765,7 +767,7 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* One span's outcome by the closed form, where the piece is a single span. */
+/* Computes one span's result by the closed form, if the piece is a single span. */
 static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *piece)
 {
     const RoutePiece *p = &route->piece[span->piece];
@@ -788,7 +790,7 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
     }
 }
 
-/* By how much the route turns from its start up to s, rad; turned[k]: up to piece k. */
+/* Accumulated turn of the route up to s, rad; turned[k]: up to piece k. */
 static double turned_at(const Route *route, const double *turned, double s)
 {
     const int begun = items_before(route->n, &route->piece->s0, sizeof *route->piece, s, 1),
@@ -797,8 +799,8 @@ static double turned_at(const Route *route, const double *turned, double s)
     return turned[k] + p->angle * fmin(fmax((s - p->s0) / p->length, 0), 1);
 }
 
-/* What is largest on the piece of which span i is the first: a piece's spans follow each other. A support bears no more
- * than what turns the cable as far as its neighbours are, and the weight up to them (T18). */
+/* Computes the maxima of the piece that begins with span i; spans of one piece are adjacent. A support bears at most
+ * what turns the cable between its neighbours, and the weight between them (T18). */
 static void piece_loads(const PlanDef *def, const double *turned, PlanWay *way, int i)
 {
     const int p = way->pull.span[i].piece;
@@ -810,14 +812,14 @@ static void piece_loads(const PlanDef *def, const double *turned, PlanWay *way, 
     piece->max_tension = most.tension;
     piece->sidewall = most.sidewall;
     piece->guided = most.aside > 0 ? most.aside * fmin(beside, piece->turn) : 0;
-    if (!(spacing > 0)) return; /* no supports that share the load between them */
+    if (!(spacing > 0)) return; /* no separate supports */
     const double turn =
         turned_at(def->route, turned, on->s0 + on->length + spacing) - turned_at(def->route, turned, on->s0 - spacing);
     const double all = most.either * turn + way->pull.span[i].law.weight * spacing;
     piece->carried = fmin(most.down * spacing, all);
 }
 
-/* How long the bends are of which the pieces are parts. */
+/* Sets the length of the bend that each piece belongs to. */
 static void fill_turns(const Route *route, PlanPiece *piece)
 {
     for (int p = 0, last; p < route->n; p = last + 1) {
@@ -828,7 +830,7 @@ static void fill_turns(const Route *route, PlanPiece *piece)
     }
 }
 
-/* The rollers of a bend bear what any part of it has. */
+/* Sets the rollers' loads in a bend to the largest of its parts. */
 static void share_loads(const Route *route, PlanPiece *piece)
 {
     for (int p = 0, last; p < route->n; p = last + 1) {
@@ -869,7 +871,7 @@ static hawser_status fill_pieces(const PlanDef *def, PlanWay *way, hawser_error 
     return HAWSER_OK;
 }
 
-/* Each span's least is the other pull's, whose spans are parts of it, where that is less. */
+/* Takes the least tensions of another pull, whose spans are parts of this one's, where they are smaller. */
 static void spans_take(const Pull *low, Pull *pull)
 {
     for (int k = 0, i = 0; k < low->n; k++) {
@@ -882,7 +884,7 @@ static void spans_take(const Pull *low, Pull *pull)
     }
 }
 
-/* The least tension is that with the least back tension. */
+/* Replaces the least tension by that with the least back tension. */
 static hawser_status least_take(const PlanDef *def, const PlanPullDef *what, Pull *pull, hawser_error *err)
 {
     const PlanDef slack = plan_slack(def);
@@ -900,7 +902,7 @@ static hawser_status least_take(const PlanDef *def, const PlanPullDef *what, Pul
     return HAWSER_OK;
 }
 
-/* The route pulled one way: reel, pull, rope; then again from rest. */
+/* Solves one direction: reel, pull, rope; then from rest. */
 static hawser_status solve_way(const PlanDef *def, int k, PlanWay *way, hawser_error *err)
 {
     PlanPullDef what = {.way = k, .whole = 1, .restart = 1};
@@ -954,15 +956,15 @@ void plan_clear(Plan *plan)
 
 /* ----------------------------------------------------------------------------------------------------- along a span */
 
-/* What is integrated: the tension, and what each cause makes of it (SN4). */
+/* Integrated values: the tension, and its derivative by each cause (SN4). */
 enum { OF_TENSION, BY_TENSION, BY_FRICTION, BY_WEIGHT, VALUES };
 
-/* Share of each value that a step may be off by; share of its force below which a support counts as bare. */
+/* Allowed error of a step as a share of each value; share of a support's force below which it counts as unloaded. */
 static const double STEP_TOLERANCE = 1e-12, ZERO_FORCE = 1e-11;
 
 static double sign_number(double x) { return (x > 0) - (x < 0); }
 
-/* Of a cable that is pushed so far that it snakes or coils, (SN2a). */
+/* Slopes for a cable in compression that snakes or forms a helix, (SN2a). */
 static SpanSlopes coiled_slopes(const SpanLaw *p, double straight, SpanSlopes by, double tension)
 {
     const double helix = p->room * tension * tension / (4 * p->ei), grows = p->room * tension / (2 * p->ei);
@@ -974,7 +976,7 @@ static SpanSlopes coiled_slopes(const SpanLaw *p, double straight, SpanSlopes by
     return (SpanSlopes){rest * by.by_tension + slope * grows, rest * by.by_weight};
 }
 
-/* (SN2). A support that bears nothing bears what comes first: the weight, or a tension that begins. */
+/* (SN2). For an unloaded support, those of the first load to come: the weight, or a beginning tension. */
 static SpanSlopes resultant_slopes(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double kappa = p->law == PULL_REFERENCE ? f.curvature : 0, pull = tension * kappa;
@@ -1002,7 +1004,8 @@ SpanSlopes span_slopes(const SpanLaw *p, double s, double tension)
     return may_coil ? coiled_slopes(p, span_straight(p, s, tension), by, tension) : by;
 }
 
-/* (T5), (SN4); of unlike weights by the one that counts, which is best there, so that its own change makes none. */
+/* (T5), (SN4); with unlike weights by the one that counts, which is an extremum there, so that its own change has no
+ * effect. */
 static void rates(const SpanLaw *unlike, double s, const double x[VALUES], double rate[VALUES])
 {
     const SpanLaw one = span_weighed(unlike, s, x[OF_TENSION]), *const p = &one;
@@ -1014,8 +1017,8 @@ static void rates(const SpanLaw *unlike, double s, const double x[VALUES], doubl
     rate[BY_WEIGHT] = a * x[BY_WEIGHT] + p->mu * by.by_weight + sine;
 }
 
-/* One step of Fehlberg's 4(5) pair over h along the pull, the fifth order taken: returns the largest error as a share
- * of what is allowed. */
+/* Takes one step h along the pull with Fehlberg's 4(5) pair, fifth order: returns the largest error as a share of the
+ * allowed one. */
 static double gain_step(const SpanLaw *p, double s, const double x[VALUES], double h, double end[VALUES])
 {
     enum { STAGES = 6 };
@@ -1053,13 +1056,12 @@ static double gain_step(const SpanLaw *p, double s, const double x[VALUES], doub
     return worst;
 }
 
-/* Which side each support bears on, of unlike weights which one counts, as one number; it changes where the law has a
- * corner. Within rounding of a corner it is that of no side. */
+/* Code of the loaded side of each support, or of the weight that counts; it changes at a corner of the law. Within
+ * rounding of a corner it is that of no side. */
 static int sides(const SpanLaw *p, double s, double tension)
 {
     if (p->lightest > 0) return span_weighed(p, s, tension).weight < p->weight ? 2 : 1;
-    if (tension < 0 && p->room > 0 &&
-        p->law == PULL_REFERENCE) { /* it lies straight, snakes, is about to coil, coils */
+    if (tension < 0 && p->room > 0 && p->law == PULL_REFERENCE) { /* straight, snaking, close to a helix, helix */
         const double square = p->room * tension * tension / (4 * p->ei * span_straight(p, s, tension));
         if (square > 1) return 10 + (square > 2) + (square > 3.3431457505076194);
     }
@@ -1072,8 +1074,8 @@ static int sides(const SpanLaw *p, double s, double tension)
     return (fabs(g) > bare ? (int)sign_number(g) : 0) + tight;
 }
 
-/* Half as long until both ends are on the same sides of the corner: the step then ends before it, within 1e-13 of the
- * span, and the next begins behind it. */
+/* Halves the step until both ends are on the same side of the corner: it then ends before the corner, within 1e-13 of
+ * the span, and the next step begins behind it. */
 SpanGain span_gain(const SpanLaw *p, double s0, double tension, double s1)
 {
     const double length = p->direction * (s1 - s0), least = 1e-13 * length;
@@ -1098,16 +1100,18 @@ SpanGain span_gain(const SpanLaw *p, double s0, double tension, double s1)
 
 /* ----------------------------------------------------------------------------------------------------- along a pull */
 
-/* Share of what a machine takes by which a tension may be off and still is at one of its corners. */
+/* Deviation from a machine's corner, as a share of the force it takes, within which a tension counts as being at the
+ * corner. */
 static const double CORNER = 1e-9;
 
-/* A machine that could take more begins to where something arrives, and ends where more arrives than it takes. */
+/* A machine with spare force starts to take when tension arrives, and stops taking more when the tension exceeds its
+ * force. */
 static int at_corner(double tension, double takes)
 {
     return takes > 0 && fmin(fabs(tension), fabs(tension - takes)) <= CORNER * takes;
 }
 
-/* What a unit of cause k adds to the friction of a span, by (PN4), and to its weight. */
+/* Derivative of a span's friction (PN4) and of its weight by cause k. */
 static double friction_by(const PlanDef *def, int way, const PullSpan *span, int k)
 {
     const double middle = (span->s0 + span->s1) / 2;
@@ -1117,8 +1121,8 @@ static double friction_by(const PlanDef *def, int way, const PullSpan *span, int
     return k == CHANGE_FRICTION || own ? plan_friction_factor(def, way, plan_last(def, way), middle) : 0;
 }
 
-/* What a step at s makes of all changes of the tension (SN5), in the order in which the pull takes them: pushes, then
- * machines, then pits. before: the tension there. Returns the factor on what came in. */
+/* Applies the steps at s to the derivatives of the tension (SN5), in the pull's order: pushes, then machines, then
+ * pits. before: the tension there. Returns the factor on the incoming tension. */
 static double steps_change(const PlanDef *def, int way, double s, double before, double *d, PlanChange *c)
 {
     const PullStep *const push = way == PLAN_BACKWARD && def->push_back ? def->push_back : def->push;
@@ -1140,7 +1144,7 @@ static double steps_change(const PlanDef *def, int way, double s, double before,
     return factor;
 }
 
-/* From the start to the end: (SN4) span by span, (SN5) between. */
+/* Goes from start to end: (SN4) span by span, (SN5) between. */
 static void go_forward(const PlanDef *def, int way, PlanChange *c)
 {
     const Pull *const pull = c->pull;
@@ -1167,7 +1171,7 @@ static void go_forward(const PlanDef *def, int way, PlanChange *c)
     d[CHANGE_WEIGHT] += def->rope_length; /* (T25) */
 }
 
-/* From the end to the start: the gains of the spans multiplied up (SN8). */
+/* Goes from end to start, multiplying the gains of the spans (SN8). */
 static void go_back(const PlanDef *def, int way, PlanChange *c)
 {
     const Pull *const pull = c->pull;

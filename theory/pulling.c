@@ -7,17 +7,17 @@
 #include "core/error.h"
 #include "theory/search.h"
 
-/* Local error that a step may make, of |T| + w |s1 - s0|. */
+/* Allowed local error of a step, relative to |T| + w |s1 - s0|. */
 static const double STEP_TOLERANCE = 1e-12;
 
 /* Share of weight (and of T/R) below which a normal force, or its part out of the bend's plane, counts as
  * zero. */
 static const double ZERO_FORCE = 1e-11;
 
-/* 1/m: a curve that bends less counts as straight there. */
+/* 1/m: curvature below which a curve counts as straight. */
 static const double STRAIGHT_MAX = 1e-12;
 
-/* The centre's direction where a curve bends, else a straight's frame (RO16). */
+/* Returns the frame toward the centre where a curve bends, else a straight's frame (RO16). */
 static SpanFrame curve_frame(const RoutePoint *at)
 {
     const double k = v3_norm(at->curvature), level = hypot(at->tangent.x, at->tangent.y);
@@ -26,7 +26,7 @@ static SpanFrame curve_frame(const RoutePoint *at)
     return (SpanFrame){.curvature = k, .tz = at->tangent.z, .nz = n.z, .bz = v3_cross(at->tangent, n).z};
 }
 
-/* A curve in plan, of one curvature, that keeps its grade (T7a). */
+/* Checks for a curve of constant curvature in plan that keeps its grade (T7a). */
 static int is_helix(const RoutePiece *p)
 {
     const RouteCurve *const c = &p->curve;
@@ -68,8 +68,8 @@ SpanFrame span_frame(const SpanLine *line, double s)
                        .bz = line->bz};
 }
 
-/* Squares of the push over the load of snaking: from the first on a cable that moves is on its way from snaking to the
- * helix (Chen, Lin and Cheatham), from the second on it is one (Wu and Juvkam-Wold, 2 sqrt 2 - 1). */
+/* Squares of the ratio of push to snaking load. From the first on, a moving cable is in transition from snaking to the
+ * helix (Chen, Lin and Cheatham); from the second on it is a helix (Wu and Juvkam-Wold, 2 sqrt 2 - 1). */
 static const double COILS_FROM = 2, COILS = 3.3431457505076194;
 
 double span_coils(double square, double *slope)
@@ -83,7 +83,7 @@ double span_coils(double square, double *slope)
     return (1 - part) * snakes + part * square;
 }
 
-/* (BK6): `straight` N/m of a cable that is pushed with so much tension, below 0. */
+/* Support force per length of a cable in compression, N/m, (BK6). straight: that of a straight cable; tension < 0. */
 static double coiled(const SpanLaw *p, double straight, double tension)
 {
     const double helix = p->room * tension * tension / (4 * p->ei);
@@ -117,7 +117,7 @@ static SpanParts support_parts(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double c = hypot(f.nz, f.bz);
     const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
-    if (!(c > 0)) return (SpanParts){.aside = pull}; /* upright: no weight lies on anything */
+    if (!(c > 0)) return (SpanParts){.aside = pull}; /* vertical: the weight rests on nothing */
     return (SpanParts){.down = p->weight * c - pull * f.nz / c, .aside = pull * f.bz / c};
 }
 
@@ -136,7 +136,7 @@ static SpanLaw with_weight(const SpanLaw *p, double weight)
     return one;
 }
 
-/* The law with the weight that presses most in this frame. */
+/* Returns the law with the weight that presses most in this frame. */
 static SpanLaw pressing(const SpanLaw *p, SpanFrame f, double tension)
 {
     if (!(p->lightest > 0)) return *p;
@@ -175,7 +175,8 @@ static double rate_of(const SpanLaw *p, SpanFrame f, double tension)
     return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
 }
 
-/* Where the rate is least by the weight, which it is a convex function of: (T28a). NAN: at one of the ends. */
+/* Weight between the bounds for which the rate, a convex function of the weight, is least: (T28a). NAN: it is least at
+ * a bound. */
 static double least_weight(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double c2 = f.nz * f.nz + f.bz * f.bz, pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
@@ -185,7 +186,7 @@ static double least_weight(const SpanLaw *p, SpanFrame f, double tension)
     return (pull * f.nz - p->direction * f.tz * aside / sqrt(room)) / c2;
 }
 
-/* (T28) in this frame. */
+/* Returns the law with the weight by (T28) in this frame. */
 static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
 {
     SpanLaw best = with_weight(p, p->counts > 0 ? p->counts : p->weight);
@@ -203,7 +204,7 @@ static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
     return best;
 }
 
-/* Which of unlike weights counts all along; 0: not everywhere the same, or all are alike. */
+/* The one weight that counts along the whole span; 0: it varies, or there is only one weight. */
 static double span_counts(const SpanLaw *p)
 {
     if (!(p->lightest > 0) || p->line.route || p->line.curvature > 0) return 0;
@@ -217,7 +218,7 @@ SpanLaw span_weighed(const SpanLaw *p, double s, double tension)
 
 double span_rate(const SpanLaw *p, double s, double tension)
 {
-    /* a rope without weight: no frame is needed, and the same number comes out to the last bit */
+    /* weightless rope: no frame is needed, and the result is equal to the last bit */
     if (p->weight == 0 && !p->separate && !p->line.route)
         return p->mu * fabs(p->law == PULL_REFERENCE ? tension * p->line.curvature : 0);
     const SpanFrame f = span_frame(&p->line, s);
@@ -265,7 +266,8 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
     return end;
 }
 
-/* Which of unlike weights counts: the heaviest 1, the lightest -1, one between 2; 0: within rounding of two of them. */
+/* Code of the weight that counts: 1 the heaviest, -1 the lightest, 2 one in between; 0: within rounding of two of them.
+ */
 static int weight_side(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double between = p->least ? least_weight(p, f, tension) : NAN, near = ZERO_FORCE * p->weight;
@@ -279,9 +281,10 @@ static int weight_side(const SpanLaw *p, SpanFrame f, double tension)
     return (more > 0) != p->least ? 1 : -1;
 }
 
-/* The side of the law's corners that a place lies on. Of one weight the sign of the normal force toward the centre
- * where it can pass through zero: in bends in a vertical plane under the reference law, and of the downward part on
- * separate supports; of unlike weights which one counts. 0: no corner is near, or within rounding of it. */
+/* Side of the law's corners on which a place lies. With one weight, it is the sign of the normal force toward the
+ * centre where that can pass through zero: in bends in a vertical plane under the reference law, and for the downward
+ * part on separate supports. With unlike weights, it is the code of the one that counts. 0: no corner is near, or
+ * within rounding of it. */
 static int corner_side(const SpanLaw *p, double s, double tension)
 {
     const SpanFrame f = span_frame(&p->line, s);
@@ -294,8 +297,8 @@ static int corner_side(const SpanLaw *p, double s, double tension)
     return g > 0 ? 1 : -1;
 }
 
-/* One step of at most h, to the corner that is met in it, by bisection, or of h itself if there is none: returns how
- * long it is; k, *end and *error as dopri_step has them. */
+/* Takes one step of at most h that ends at a corner, found by bisection, if one lies inside. Returns its length; k,
+ * *end and *error as in dopri_step. */
 static double step_to_corner(const SpanLaw *p, double s, double tension, double h, double k[7], double *end,
                              double *error)
 {
@@ -304,7 +307,8 @@ static double step_to_corner(const SpanLaw *p, double s, double tension, double 
     int after = before ? corner_side(p, s + p->direction * h, *end) : 0;
     if (after == 0 || after == before) return h;
     double low = 0, high = h;
-    for (int i = 0; i < 40 && after != 0; i++) { /* the rate has no jump there: 1e-12 of the step are 1e-24 of it */
+    for (int i = 0; i < 40 && after != 0;
+         i++) { /* the rate has no jump there: an error of 1e-12 in the step causes 1e-24 */
         const double x = low + (high - low) / 2;
         after = corner_side(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
         *(after == before ? &low : &high) = x;
@@ -322,7 +326,7 @@ typedef struct Step {
 
 static double place_inside(const Step *t, double share) { return t->s + t->law->direction * share * t->h; }
 
-/* The tension at a share of the step, by the pair's own polynomial of fourth order (T5a). */
+/* Tension at a share of the step, by the pair's own fourth-order polynomial (T5a). */
 static double tension_inside(const Step *t, double share)
 {
     static const double D[7] = {-12715105075.0 / 11282082432,  0,
@@ -336,7 +340,7 @@ static double tension_inside(const Step *t, double share)
     return t->tension + share * (rise + back * (first + share * (last + back * bow)));
 }
 
-/* The extreme inside a step whose rates at its ends differ in sign: where the rate is zero. */
+/* Takes in the extreme inside a step whose end rates differ in sign: the place where the rate is zero. */
 static void extremes_take_inside(SpanExtremes *e, const Step *t)
 {
     if (t->k[0] * t->k[6] >= 0) return;
@@ -352,7 +356,7 @@ static void extremes_take_inside(SpanExtremes *e, const Step *t)
     extremes_take(e, place_inside(t, high), tension_inside(t, high));
 }
 
-/* T times the curvature at a share of the step. */
+/* Product of |T| and curvature at a share of the step. */
 static double pressure_inside(void *what, double share)
 {
     const Step *const t = what;
@@ -366,12 +370,14 @@ static void pressure_widen(SpanExtremes *e, const Step *t, double share, double 
     e->pressure_at = place_inside(t, share);
 }
 
-/* The largest T times curvature of a step on a curve. Where it hardly bows in the step the parabola through both ends
- * and the middle says whether its top is inside; else looks along the step say about where it is. */
+/* Takes in the largest T times curvature of a step on a curve. If the pressure is nearly linear in the step, a parabola
+ * through both ends and the middle shows whether a maximum lies inside; else samples along the step locate it. */
 static void pressure_take(SpanExtremes *e, Step *t)
 {
     enum { LOOKS = 8, CLOSER = 24 };
-    static const double FLAT = 0.01, NEAR = 0.05; /* a bow, of the pressure; how near an end a top counts as inside */
+    static const double
+        FLAT = 0.01,
+        NEAR = 0.05; /* relative bow of the pressure; distance from an end within which a maximum counts as inside */
     double look[LOOKS + 1] = {pressure_inside(t, 0)};
     look[LOOKS] = pressure_inside(t, 1);
     look[LOOKS / 2] = pressure_inside(t, 0.5);
@@ -401,8 +407,8 @@ static void extremes_take_step(SpanExtremes *e, Step *t)
     e->max_aside = fmax(e->max_aside, fmax(fabs(first.aside), fabs(last.aside)));
 }
 
-/* Step by step with error control, ending a step where the normal force changes sign. Steps below 1e-13 of
- * the span are taken as they are, so that an overflow to infinity ends too. */
+/* Integrates with error control, ending a step where the normal force changes sign. Steps below 1e-13 of the span are
+ * accepted in any case, so that an overflow to infinity ends too. */
 double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes)
 {
     const double length = p->direction * (s1 - s0), scale = p->weight * length;
@@ -427,14 +433,14 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         k[0] = k[6];
         h *= grow;
     }
-    if (extremes && !p->line.route) { /* one curvature: where the tension is largest */
+    if (extremes && !p->line.route) { /* constant curvature: the largest pressure is at the largest tension */
         extremes->max_pressure = fmax(extremes->max_tension, -extremes->min_tension) * p->line.curvature;
         extremes->pressure_at = extremes->max_tension >= -extremes->min_tension ? extremes->max_at : extremes->min_at;
     }
     return tension;
 }
 
-/* Everything a user can get wrong in one pull, each with its reason. */
+/* Checks all input of one pull that a user can get wrong. */
 static hawser_status check_def(const PullDef *def, hawser_error *err)
 {
     assert(def->route && def->route->n >= 1 && def->n_stretches >= 1 && def->n_steps >= 0);
@@ -463,7 +469,7 @@ static hawser_status check_def(const PullDef *def, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Corners of the data strictly inside the pull, and its ends: cut[0] < ... < cut[n-1]; returns n. cut must
+/* Collects the corners of the data strictly inside the pull, and its ends: cut[0] < ... < cut[n-1]; returns n. cut must
  * hold n_pieces + 1 + n_stretches + n_steps + 2. */
 static int collect_cuts(const PullDef *def, double *cut)
 {
@@ -490,7 +496,7 @@ const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
     return &stretch[begun > 0 ? begun - 1 : 0];
 }
 
-/* The law that holds on stretch a around `middle`, between two neighbouring cuts. */
+/* Returns the law of stretch a around `middle`, between two neighbouring cuts. */
 static SpanLaw law_between(const PullDef *def, const PullStretch *a, double middle)
 {
     SpanLaw law = {.law = def->law,
@@ -507,9 +513,9 @@ static SpanLaw law_between(const PullDef *def, const PullStretch *a, double midd
     return law;
 }
 
-/* The steps of a pull in its order; those of one place in the order in which they are listed. */
+/* A step with its place in the pull's order; steps of one place keep their listed order. */
 typedef struct StepAt {
-    double at; /* m along the pull: times its direction */
+    double at; /* m along the pull: the place times the direction */
     int i;     /* of def->step */
 } StepAt;
 
@@ -530,8 +536,8 @@ static void steps_sort(const PullDef *def, StepAt *step)
     if (!sorted) qsort(step, (size_t)def->n_steps, sizeof *step, compare_steps);
 }
 
-/* The tension behind the steps at s, from step[*next] on, which moves on behind them: forces first, then what machines
- * take of it (PN2); where the pull begins anew nothing of all that counts (PN3). */
+/* Tension behind the steps at s, N. The steps begin at step[*next], which advances. Forces come first, then machines
+ * take off the sum (PN2); where the pull begins anew, all of that is replaced (PN3). */
 static double steps_pass(const PullDef *def, const StepAt *step, int *next, double s, double tension)
 {
     const double at = def->to > def->from ? s : -s, arriving = tension;
@@ -565,7 +571,8 @@ static void take_tension(Pull *pull, int piece, double s, double tension)
     }
 }
 
-/* The largest of it on a span: a cable that is pushed presses outward as hard as one that is pulled presses inward. */
+/* Largest sidewall pressure on a span: a cable in compression presses outward as hard as one in tension presses inward.
+ */
 static double span_sidewall(const PullSpan *span)
 {
     const SpanExtremes *e = &span->extremes;
@@ -586,7 +593,7 @@ static void take_span(Pull *pull, const PullSpan *span)
     }
 }
 
-/* Whether a span of a pull solved before is this one, with what follows from it. */
+/* Checks whether a span of an earlier pull is identical, so that its results can be reused. */
 static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *span, const PullSpan *known)
 {
     const SpanLaw *const law = &known->law;
@@ -596,7 +603,7 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
            law->room == a->room && law->ei == a->ei && law->separate == a->separate;
 }
 
-/* Integrates from cut to cut, in the pull's order, adding the steps between. */
+/* Integrates from cut to cut in the pull's order and applies the steps between. */
 static void run_spans(const PullDef *def, int n, const double *cut, const StepAt *step, Pull *pull)
 {
     const int forward = def->to > def->from;
@@ -670,7 +677,7 @@ void pull_clear(Pull *pull)
     *pull = (Pull){0};
 }
 
-/* The span that holds s: the first one, in the pull's order, whose end is not before s. */
+/* The span that contains s: the first, in the pull's order, that does not end before s. */
 static const PullSpan *find_span(const Pull *pull, double s)
 {
     int low = 0, high = pull->n - 1;
@@ -686,7 +693,7 @@ static const PullSpan *find_span(const Pull *pull, double s)
     return &pull->span[low];
 }
 
-/* The tension at s from the start of its span; the ends are what pull_solve found. */
+/* Tension at s, N, integrated from the start of its span; at the ends the values of pull_solve. */
 static double span_tension(const Pull *pull, const PullSpan *span, double s)
 {
     if (s == pull->span[0].s0) return pull->start_tension;

@@ -7,8 +7,8 @@ static const double CLOSE = 1e-10, STRIDE = 1.1;
 
 static int holds(const SearchDef *def, double x) { return def->holds(def->what, x); }
 
-/* Between a value at which it holds and one at which it does not, until they are CLOSE; the geometric mean halves the
- * ratio. */
+/* Bisects between a value where the predicate holds and one where it does not, until they are CLOSE; the geometric mean
+ * halves the ratio. */
 static SearchBound bisect(const SearchDef *def, double good, double bad)
 {
     while (fabs(bad - good) > CLOSE * fabs(good)) {
@@ -23,7 +23,7 @@ static SearchBound bisect(const SearchDef *def, double good, double bad)
     return (SearchBound){SEARCH_FOUND, good, bad};
 }
 
-/* Away from where it holds, twice as far every time. */
+/* Searches outward from a value where the predicate holds, squaring the stride every time. */
 static SearchBound search_outward(const SearchDef *def, int up)
 {
     double good = def->now, stride = STRIDE;

@@ -8,10 +8,10 @@
 #include "def/winding.h"
 #include "theory/search.h"
 
-/* Where the first stretch begins, m along the route: behind any lead-in. */
+/* Start of the first stretch, m along the route: behind any lead-in. */
 static const double FAR_BEHIND = -1e9;
 
-/* A length of route whose guide rollers hold the cable sideways. */
+/* A length of route with guide rollers as lateral support. */
 typedef struct Guided {
     double from, to; /* m; none if from >= to */
 } Guided;
@@ -23,8 +23,8 @@ typedef struct Corners {
     Guided *guided; /* [n_guided] of bends, by rising place */
 } Corners;
 
-/* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
- * beyond. One that comes within its own half spacing of the bend's end reaches it. */
+/* Guided part of the bend with pieces p to `to`: from the first to the last guide and half their spacing beyond. It
+ * reaches the bend's end if it comes within half the spacing of it. */
 static Guided guided_part(const Supports *map, int p, int to)
 {
     const double begin = map->route->piece[p].s0, end = map->route->piece[to].s0 + map->route->piece[to].length;
@@ -75,7 +75,7 @@ static hawser_status corners_find(const Supports *map, Corners *c, hawser_error 
     return HAWSER_OK;
 }
 
-/* Whether the supports at s are separate: guides, or a floor with upright sides. */
+/* Checks for separate supports at s: guides, or a floor with vertical sides. */
 static int is_separate(const Corners *c, const SurfaceDef *surface, double s)
 {
     const int begun = items_before(c->n_guided, &c->guided->from, sizeof *c->guided, s, 1);
@@ -83,8 +83,8 @@ static int is_separate(const Corners *c, const SurfaceDef *surface, double s)
     return surface && surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0;
 }
 
-/* Whether something pushes the cable; by its weight alone it runs away, and what a coil would hold then is not counted
- * on. */
+/* Checks whether something pushes the cable. Under its own weight alone it runs away; friction of a helix is then not
+ * relied on. */
 static int is_pushed(const SceneDef *def)
 {
     int pushed = def->n_conveyors > 0 || def->theory.feed > 0;
@@ -92,7 +92,7 @@ static int is_pushed(const SceneDef *def)
     return pushed;
 }
 
-/* N m2, of all cables together, each as its limpest piece. */
+/* Bending stiffness, N m2, of all cables together, each as its most flexible piece. */
 static double stiffness_of(const SceneDef *def)
 {
     double least = INFINITY;
@@ -103,8 +103,8 @@ static double stiffness_of(const SceneDef *def)
     return fmax(1, def->bundle.shape.cables) * least;
 }
 
-/* The stretch that begins at c->s[i]. Friction is the surface's where there is one; of several cables one bears more
- * than the others. */
+/* Builds the stretch that begins at c->s[i]. Friction is the surface's where there is one; of several cables one bears
+ * more than the others. */
 static PullStretch stretch_make(const Supports *map, double weight, const Corners *c, int i)
 {
     const double middle = i + 1 < c->n ? (c->s[i] + c->s[i + 1]) / 2 : c->s[i] + 1;
@@ -128,8 +128,8 @@ static PullStretch stretch_make(const Supports *map, double weight, const Corner
                          .share = bundle_share(map->def, surface)};
 }
 
-/* Of all cables together, which weigh so much, N/m. Supports are separate where guide rollers stand in a bend to the
- * side and in trays with upright sides. Errors: MEMORY. */
+/* Finds the stretches for the weight of all cables together, N/m. Supports are separate where guide rollers stand in a
+ * bend, and in trays with vertical sides. Errors: MEMORY. */
 static hawser_status stretches_find(const Supports *map, double weight, Stretches *out, hawser_error *err)
 {
     Corners c = {0};
@@ -140,7 +140,7 @@ static hawser_status stretches_find(const Supports *map, double weight, Stretche
         if (!out->stretch) status = error_memory(err);
     }
     for (int i = 0; i < c.n && !status; ++i) {
-        if (i + 1 < c.n && !(c.s[i + 1] > c.s[i])) continue; /* two corners in one place */
+        if (i + 1 < c.n && !(c.s[i + 1] > c.s[i])) continue; /* two corners at one place */
         out->stretch[out->n++] = stretch_make(map, weight, &c, i);
     }
     corners_free(&c);
@@ -192,8 +192,8 @@ Vec3 setup_line_at(const SceneDef *def, const Route *route, double s)
     return v3_axpy(v3_axpy(at.position, place[0], left), place[1], v3_cross(at.tangent, left));
 }
 
-/* The route coordinate at distance `chord` from the point of the chain's line at s, ahead or behind (sign), by Newton's
- * method with the route's own tangent: beside it the line is hardly longer. */
+/* Route coordinate at distance `chord` ahead of or behind (sign) the point of the chain's line at s, by Newton's method
+ * with the route's own tangent: a parallel line is hardly longer. */
 static double chord_step(const SceneDef *def, const Route *route, double s, double chord, int sign)
 {
     const Vec3 from = setup_line_at(def, route, s);
@@ -207,7 +207,7 @@ static double chord_step(const SceneDef *def, const Route *route, double s, doub
     return next;
 }
 
-/* The pulling eye: how many segments the cable has. */
+/* Number of segments before the pulling eye. */
 static int eye_of(const SceneDef *def)
 {
     int eye = 0;
@@ -245,7 +245,7 @@ static hawser_status ends_find(Setup *s, const double *joint_s, hawser_error *er
     setup_joints(s->def, s->route, n, length, own);
     ends_take(s, n, own);
     hawser_status status = HAWSER_OK;
-    if (s->def->drum.present) { /* a scene checks it where it lays the cable */
+    if (s->def->drum.present) { /* a scene checks this when it places the cable */
         Wound wound;
         for (int i = 0; i < n; ++i) length[i] /= 2;
         status = wound_lay(s->def, n, length, own, &wound, err);
@@ -272,23 +272,23 @@ double setup_travel(const Setup *setup, double t)
     return w->mode == WINCH_TENSION ? t * winch_def_largest(w, INFINITY) : profile_integral(&w->speed, t);
 }
 
-/* The last time up to `until` at which it draws with its largest speed, s: there belts and motors are compared with it.
+/* Last time up to `until` at which the winch has its largest speed, s; belts and motors are compared with it then.
  * `until` without a winch of set speed. */
 static double last_full(const WinchDef *w, double until)
 {
     if (!w->present || w->mode != WINCH_SPEED) return until;
     const double most = profile_largest_until(&w->speed, until) * (1 - 1e-9);
     double last = 0;
-    for (double t = 0, next = 0; t < until; t = next) { /* between two corners it rises or falls all along */
+    for (double t = 0, next = 0; t < until; t = next) { /* monotonic between two corners */
         next = profile_corner_before(&w->speed, t, until);
         if (fabs(profile_value(&w->speed, next)) >= most) last = next;
     }
     return last;
 }
 
-static const double KEPT = 1; /* m: a speed that it goes through in less is a start's */
+static const double KEPT = 1; /* m: a speed held for less than this belongs to a start */
 
-/* From or to rest the speed is that one such length from there, as of a straight ramp. */
+/* A ramp from or to rest counts with the speed that a straight ramp has at this distance from rest. */
 double winch_def_slowest(const WinchDef *w, double until)
 {
     double least = INFINITY;
@@ -303,10 +303,10 @@ double winch_def_slowest(const WinchDef *w, double until)
     return least;
 }
 
-/* ------------------------------------------------------------------------------------------------- what pushes */
+/* ------------------------------------------------------------------------------------------------- pushers */
 
-/* A belt holds by place: what its speed differs by adds up until it slips, and pushes or brakes with all it has; one
- * that keeps the winch's speed takes over what arrives, up to its grip (WI20). */
+/* Push of a belt, N. A belt grips by position: a difference of speed accumulates until it slips, so it pushes or brakes
+ * with its full grip; one at the winch's speed takes over what arrives, up to its grip (WI20). */
 static double belt_push(const Setup *setup, const ConveyorDef *c, double arriving, double front)
 {
     const WinchDef *const w = &setup->def->winch;
@@ -321,7 +321,8 @@ static double belt_push(const Setup *setup, const ConveyorDef *c, double arrivin
     return fmin(fmax(arriving, 0), grip);
 }
 
-/* (SP17): what the supports of a metre of cable bear, along the line from this roller to it, times that length, N. */
+/* Load of a driven roller, N, (SP17): support force per metre of cable, along the line from the roller to it, times the
+ * length borne. */
 static double motor_load(const Setup *setup, const Pusher *by, double tension)
 {
     const RoutePoint at = route_at(setup->route, by->at);
@@ -335,13 +336,13 @@ static double motor_load(const Setup *setup, const Pusher *by, double tension)
 typedef struct Driven {
     const SpinDef *spin;
     const FrictionLaw *law;
-    MotorNow motor; /* for turning with the pull */
+    MotorNow motor; /* for rotation with the pull */
     double load;    /* N */
-    double lever;   /* m, from the axis to where the surfaces touch: the load presses the contact in */
+    double lever;   /* m, from the axis to the contact, which the load indents */
 } Driven;
 
-/* What is left to turn it, over the lever, where its surface runs at `speed` (m/s) with the pull and the friction on
- * the cable is mu, with sign (SP18), N. */
+/* Excess torque over the lever, N, if the roller's surface runs at `speed` (m/s) with the pull and the friction
+ * coefficient on the cable is mu, with sign (SP18). */
 static double surplus(const Driven *d, double speed, double mu)
 {
     const SpinDef *const s = d->spin;
@@ -352,8 +353,8 @@ static double surplus(const Driven *d, double speed, double mu)
     return (motor_torque(&d->motor, om, &slope) + held) / d->lever - mu * d->load;
 }
 
-/* The friction coefficient that roller and cable agree on (SP18): where the surplus vanishes, in the creep below v_s;
- * all of it where the motor wins or the cable drags the roller along. */
+/* Friction coefficient in equilibrium of roller and cable (SP18): where the excess vanishes, in the creep below v_s;
+ * the full coefficient if the motor overpowers the cable or the cable drags the roller. */
 static double friction_in_theory(const Driven *d, double speed)
 {
     double low = -d->law->v_s, high = d->law->v_s, unused, mu = 0;
@@ -371,13 +372,13 @@ static double friction_in_theory(const Driven *d, double speed)
     return mu;
 }
 
-/* Beside the fixed roller with the case's friction that the theory has there (SP19). */
+/* Push of a driven roller, N, in addition to theory's fixed roller with the case's friction (SP19). */
 static double motor_push(const Setup *setup, const Pusher *by, double arriving, double front)
 {
     const RollerDef *const roller = &setup->def->rollers[by->item];
     const WinchDef *const w = &setup->def->winch;
     const ImpactLaw *const impact = &setup->def->impact;
-    if (front < roller->s) return 0; /* a rope weighs next to nothing */
+    if (front < roller->s) return 0; /* a rope has almost no weight */
     const double at = last_full(w, setup->def->duration), load = motor_load(setup, by, fmax(arriving, 0));
     const double winch = profile_value(&w->speed, at);
     const double speed = w->present && w->mode == WINCH_SPEED ? winch : setup->largest_speed;
@@ -396,8 +397,8 @@ double setup_push(const Setup *setup, int i, double arriving, double front)
     return belt_push(setup, &setup->def->conveyors[by->item], arriving, front);
 }
 
-/* The nearest roller of a row before (step -1) or behind (1) one that stands on the same side of the route, m away;
- * INFINITY: there is none. */
+/* Distance to the nearest roller of a row before (step -1) or behind (1) on the same side of the route, m; INFINITY:
+ * there is none. */
 static double neighbour(const Supports *map, int k, int step)
 {
     const SupportRoller *const own = &map->roller[k];
@@ -409,8 +410,8 @@ static double neighbour(const Supports *map, int k, int step)
     return INFINITY;
 }
 
-/* Half of the way to both neighbours; the first and the last bear as if the row went on, and one alone bears the route.
- */
+/* Builds the pusher of a driven roller. It bears half of the distances to both neighbours; the first and the last bear
+ * as if the row continued, and a single one bears the whole route. */
 static Pusher motor_pusher(const Setup *s, int k)
 {
     const SupportRoller *const r = &s->supports.roller[k];
@@ -435,7 +436,7 @@ static int compare_pushers(const void *a, const void *b)
     return x->kind != y->kind ? (int)x->kind - (int)y->kind : x->item - y->item;
 }
 
-/* Conveyors, and rollers of rows with motors. */
+/* Finds the pushers: conveyors, and rollers of rows with motors. */
 static hawser_status pushers_find(Setup *s, hawser_error *err)
 {
     const SceneDef *const def = s->def;
@@ -478,7 +479,7 @@ hawser_status setup_build(const SceneDef *def, const Route *route, const double 
         out->cable_weight = fmax(out->cable_weight, def->cables[def->pieces[p].cable].mass * g);
     out->largest_speed = def->winch.present && speed > 0 ? speed : 0.1;
     out->direction = route_at(route, 0).tangent;
-    out->lead_in = def->lead_in.present || setup_reel(out) || def->drum.present; /* a drum carries what is on it */
+    out->lead_in = def->lead_in.present || setup_reel(out) || def->drum.present; /* a drum carries the cable on it */
     if (!def->lead_in.carries_weight && !def->drum.present)
         out->behind = v3_scale(v3_dot(def->gravity, out->direction), out->direction);
     hawser_status status = ends_find(out, joint_s, err);

@@ -34,13 +34,14 @@
 /* Height of the arc over a chord of length h. */
 static double sagitta(const MeshPlace *p, double h) { return h * h / (8 * p->radius); }
 
-/* In a duct the cable goes from one wall to another where a bend begins and where it ends, and a chain has less room
- * for that, by a share of its arcs' height: it leaves the walls for less of the way, by its weight (limp) or by its
- * stiffness (ME2). */
+/* Error in a duct (ME2). The cable changes from one wall to another where a bend begins and ends, and a chain has less
+ * clearance for that, by a share of its arcs' height: it leaves the walls over a shorter distance, determined by its
+ * weight (limp) or its stiffness. */
 static double crossing_error(const MeshPlace *p, double h)
 {
     const double ratio = sagitta(p, h) / fmax(p->room, 1e-6), near = fmin(ratio, 3) / 3.5;
-    const double across = sqrt(6 * p->radius * fmax(p->room, 1e-6)); /* m, on which bending would bring it across */
+    const double across =
+        sqrt(6 * p->radius * fmax(p->room, 1e-6)); /* m, length on which bending would bring it across */
     double sum = 0;
     for (int end = 0; end < 2; ++end) {
         const double tension = end ? p->tension : p->tension_in;
@@ -51,8 +52,8 @@ static double crossing_error(const MeshPlace *p, double h)
     return p->mu * sum * ratio * (1 + near * near);
 }
 
-/* In a duct besides: where a chain turns by the angle h/R at a time it has less friction than round an arc (ME15); and
- * beyond three times the room rigid segments press against both sides by all of their arcs that is too much (ME3). */
+/* Additional errors in a duct: a chain that turns in steps of h/R has less friction than a smooth arc (ME15); if the
+ * arcs are higher than three times the clearance, rigid segments press against both sides with the excess (ME3). */
 static double duct_error(const MeshPlace *p, double h)
 {
     const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6), turn = h / p->radius;
@@ -62,9 +63,9 @@ static double duct_error(const MeshPlace *p, double h)
     return crossing_error(p, h) + chords + jammed;
 }
 
-/* Between rollers on both sides: each pair bends a stiff chain by the height of its polygon's corners, as far as there
- * is no room for that (ME12); segments that reach over more than one pair are bent by them, by the height of their arc
- * beyond that of the spacing, or beyond the room (ME4). */
+/* Error between rollers on both sides: each pair bends a stiff chain by the height of its polygon's corners, as far as
+ * there is no clearance for it (ME12); pairs also bend segments longer than their spacing, by the excess of their arc's
+ * height over that of the spacing or over the clearance (ME4). */
 static double pinch_error(const MeshPlace *p, double h)
 {
     static const double SOFT = 0.12;
@@ -76,8 +77,8 @@ static double pinch_error(const MeshPlace *p, double h)
     return corners + 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
 }
 
-/* A straight segment askew between the two rollers of a pair is thicker for them than the bend's line: what presses it
- * rubs on both sides, until it would rather turn (ME13). */
+/* Error of oblique segments: a straight segment at an angle is thicker for the two rollers of a pair than the bend's
+ * line; both sides press and cause friction, until the segment turns instead (ME13). */
 static double askew_error(const MeshPlace *p, double h)
 {
     enum { PLACES = 16 }; /* of a pair along half a segment */
@@ -91,17 +92,17 @@ static double askew_error(const MeshPlace *p, double h)
     return 2 * p->mu * p->pairs * sum / PLACES / p->tension;
 }
 
-/* Over rollers on one side: the turn at one of them is that of a joint or two, not spread by the bending stiffness
- * (ME5). */
+/* Error over rollers on one side: the turn at a roller is concentrated in a joint or two, not spread by the bending
+ * stiffness (ME5). */
 static double roller_error(const MeshPlace *p, double h)
 {
     const double stiff = p->bending_length / h;
     return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
 }
 
-/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). A bend that is shorter than
- * its rollers' spacing is no curve but a turn between two of them (ME11). On a surface the force that bends the cable
- * there has friction alone to show (ME10). */
+/* Error of any bend: curvature grows over the bending length at its ends (ME1). A bend shorter than its rollers'
+ * spacing is a turn between two of them, not a curve (ME11). On a surface, the bending force there has an effect only
+ * through friction (ME10). */
 static double bend_error(const MeshPlace *p, double h)
 {
     const double spread = p->pitch > p->length ? p->length / p->pitch : 1;
@@ -116,10 +117,10 @@ double mesh_sag_error(double h, double pitch, double bending_length)
     return 1.25 * h / pitch / (1 + 5.7 * stiff * stiff);
 }
 
-/* Round a drum or a wheel: joints stand off it as a polygon's corners do (ME6). */
+/* Error round a drum or a wheel: joints lie outside the circle as the corners of a polygon do (ME6). */
 static double wrap_error(const MeshPlace *p, double h) { return p->wrapped * h * h / (p->radius * p->radius); }
 
-/* A rod: the error of a half wave of its length, and that of an arc as a polygon (ME7). */
+/* Error of a rod: that of a half wave of its length, and that of an arc as a polygon (ME7). */
 static double rod_error(const MeshPlace *p, double h)
 {
     const double wave = h / p->rod_length, turn = p->radius > 0 ? h / p->radius : 0;
@@ -172,7 +173,7 @@ double mesh_length(const Mesh *mesh, int piece, double error)
 double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
 {
     const ChainPieceDef *const p = &def->pieces[piece];
-    /* a rod is asked for more than its shape's error: its loads and ends are within a segment each */
+    /* a rod needs more than a small shape error: each load and end is exact only to a segment */
     const double wanted = mesh_length(mesh, piece, def->rod.present ? MESH_AIM / 16 : MESH_AIM);
     const double least = fmax(p->length / MESH_SEGMENTS_MAX, def->rod.present ? 0 : def->cables[p->cable].diameter / 2);
     const double shows = /* (ME14) */
@@ -215,17 +216,17 @@ void mesh_describe(const MeshPlace *p, int size, char *text)
 
 /* ----------------------------------------------------------------------------------------------- the places */
 
-/* Share in (h/R)^2 of what a polygon round a wheel costs (ME6); a drum at the tail costs half of it. */
+/* Error of a polygon round a wheel in units of (h/R)^2 (ME6); a drum at the tail has half of it. */
 static const double WRAPPED = 0.09;
 
-/* Along the way: what is known where a leg of the route ends. */
+/* State at the end of a leg of the route, while walking along it. */
 typedef struct Walk {
     const Supports *map;
     const SceneDef *def;
     const Route *route;
     double weight;  /* N/m, of the chain's first cable */
-    double tension; /* N, at the end of the leg before */
-    double before;  /* N, where the bend begins */
+    double tension; /* N, at the end of the previous leg */
+    double before;  /* N, at the start of the bend */
 } Walk;
 
 static double friction_on(const Supports *map, const RoutePiece *leg)
@@ -235,7 +236,8 @@ static double friction_on(const Supports *map, const RoutePiece *leg)
     return surface ? surface_theory_friction(def, surface, leg->kind != ROUTE_STRAIGHT) : def->friction.mu_d;
 }
 
-/* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
+/* Advances the tension by one leg with a simple pulling theory: friction of the weight, rise, capstan; at least the
+ * weight of a metre. */
 static void walk_leg(Walk *w, const RoutePiece *leg)
 {
     const double mu = friction_on(w->map, leg);
@@ -245,7 +247,7 @@ static void walk_leg(Walk *w, const RoutePiece *leg)
         fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
 }
 
-/* What the tail brings, at its largest of a few looks at the run. */
+/* Largest back tension at a few times of the run, N. */
 static double tail_tension(const SceneDef *def)
 {
     enum { LOOKS = 8 };
@@ -254,7 +256,7 @@ static double tail_tension(const SceneDef *def)
     return most;
 }
 
-/* Where a piece of the chain lies during the run, m along the route. */
+/* Finds the range of places of a piece of the chain during the run, m along the route. */
 static void piece_way(const SceneDef *def, const Route *route, int piece, double *from, double *to)
 {
     const int last = scene_def_eye(def); /* the pieces before it end at head_at */
@@ -279,8 +281,8 @@ static void row_add(Row *row, double s)
     row->last = s;
 }
 
-/* The spacing round a bend that is too short for a row of its own, from the rollers that stand nearest on either side
- * of it and the one between; 0 if one roller is the wheel that the cable turns round, or none stands on a side. */
+/* Spacing round a bend that is too short for its own row, from the nearest rollers on either side and the one between;
+ * 0 if one roller is a wheel that the cable turns round, or one side has no roller. */
 static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
 {
     double before = -INFINITY, behind = INFINITY, inside = 0;
@@ -298,15 +300,15 @@ static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
     return behind - before < INFINITY ? (behind - before) / (1 + inside) : 0;
 }
 
-/* Carriers below, guides beside, pairs on either side of the cable: two of the list in one place, one after the other.
- * What turns the cable decides: pairs, then guides. room: the least that pairs leave. */
+/* Inspects the rollers of a leg: carriers below, guides beside, pairs on both sides of the cable (two list entries at
+ * one place). Those that turn the cable decide: pairs, then guides. room: the least clearance of the pairs. */
 static void rollers_look(const Supports *map, const RoutePiece *leg, double radius, MeshPlace *p)
 {
     enum { CARRIERS, GUIDES, PAIRS, ROWS };
     const SceneDef *const def = map->def;
     Row row[ROWS] = {{0}};
     double room = INFINITY, before = NAN, gap_before = NAN, reach = 0;
-    int first = def->n_rollers, last = -1; /* of the list, between which all of the leg are */
+    int first = def->n_rollers, last = -1; /* range in the list that contains all rollers of the leg */
     for (int i = supports_from(map, leg->s0); i < map->n_rollers && map->roller[i].s <= leg->s0 + leg->length; ++i) {
         if (map->roller[i].item < first) first = map->roller[i].item;
         if (map->roller[i].item > last) last = map->roller[i].item;
@@ -335,8 +337,8 @@ static void rollers_look(const Supports *map, const RoutePiece *leg, double radi
     p->play = room;
 }
 
-/* What holds a cable in one bend, a leg of the route: fills room, surface, pitch, pairs, reach, play and, of rollers,
- * mu of a place. */
+/* Finds the supports of a cable in one bend, a leg of the route: fills room, surface, pitch, pairs, reach, play and, of
+ * rollers, mu of a place. */
 static void mesh_sides(const Supports *map, const RoutePiece *bend, const CableDef *cable, MeshPlace *p)
 {
     const SceneDef *const def = map->def;
@@ -354,7 +356,7 @@ static void mesh_sides(const Supports *map, const RoutePiece *bend, const CableD
         p->room = surface->shape.width / 2 - cable->diameter / 2;
 }
 
-/* By how much of a leg's middle the cable turns at a roller: weight and tension press together or apart (ME5). */
+/* Angle by which the cable turns at a roller in a leg's middle: weight and tension press together or apart (ME5). */
 static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace *p)
 {
     const Vec3 bend = route_at(w->route, leg->s0 + leg->length / 2).curvature;
@@ -363,8 +365,8 @@ static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace 
     return v3_norm(v3_add(v3_scale(fmin(p->pitch, leg->length), bend), v3_scale(p->pitch, down)));
 }
 
-/* Whether a bend goes on in the next leg without a jump of curvature, as a clothoid into its arc: only where curvature
- * jumps does a bend cost something (ME1). */
+/* Checks whether a bend continues in the next leg without a jump of curvature, as a clothoid into its arc: only jumps
+ * of curvature cause an error (ME1). */
 static int goes_on(const Route *route, int leg)
 {
     if (leg + 1 >= route->n) return 0;
@@ -376,9 +378,8 @@ static int goes_on(const Route *route, int leg)
     return v3_norm(jump) < 0.1 / fmin(a->radius, b->radius);
 }
 
-/* 1 - cos of the angle between what a duct holds the cable with in a straight, against its weight, and in a bend that
- * begins or ends there, against the tension's pull to the inside too: 0 for the same wall, 2 for the other one (ME2).
- */
+/* 1 - cos of the angle between the duct's force on the cable in a straight (against its weight) and in an adjacent bend
+ * (against the tension's inward force too): 0 for the same wall, 2 for the opposite one (ME2). */
 static double wall_changes(const Walk *w, double at, Vec3 curvature, double tension)
 {
     const Vec3 g = v3_reject(w->def->gravity, route_at(w->route, at).tangent);
@@ -389,7 +390,7 @@ static double wall_changes(const Walk *w, double at, Vec3 curvature, double tens
     return pressed > 0 ? 1 - v3_dot(load, g) / (pressed * down) : 0;
 }
 
-/* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
+/* Builds the place of a bend for a piece of the chain: on a surface, on rollers, or else round one wheel. */
 static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece *bend)
 {
     const SceneDef *const def = w->def;
@@ -408,7 +409,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
                    .weight = cable->mass * v3_norm(def->gravity),
                    .mu = friction_on(w->map, bend),
                    .impact = surface ? def->line_impact : def->impact};
-    if (!def->winch.present && def->strand.joined < 0) { /* nothing is pulled: only the shape counts */
+    if (!def->winch.present && def->strand.joined < 0) { /* without a pull only the shape counts */
         p.wrapped = WRAPPED;
         return p;
     }
@@ -423,7 +424,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
     return p;
 }
 
-/* The cable behind the route on its drum. */
+/* Place of the drum that holds the cable behind the route. */
 static MeshPlace drum_place(const SceneDef *def)
 {
     return (MeshPlace){
@@ -437,7 +438,7 @@ static double rod_radius(const RodDef *rod)
     return 0;
 }
 
-/* A rod's pieces show the half waves of the rod as a whole. */
+/* Adds the pieces of a rod; each has to show the half waves of the whole rod. */
 static void rod_places(const SceneDef *def, Mesh *out)
 {
     double length = 0;
@@ -493,15 +494,15 @@ void mesh_free(Mesh *mesh)
     *mesh = (Mesh){0};
 }
 
-/* What the rope is bent round. docs/model/62-limits.md */
+/* Bending diameter of the rope. docs/model/62-limits.md */
 
-/* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
+/* Turn at a roller from which it counts as a sheave for the rope, rad (our choice: less is no wrap). */
 static const double ROPE_WRAPPED = 30 * M_PI / 180;
 
-static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
+static const double REACH = 5; /* m: largest distance of a roller that serves a bend without rollers */
 
-/* The nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the rope on, or the
- * nearest carrier; NULL: there is none. */
+/* The roller nearest to `from` in begin..end on which a bend with this curvature presses the rope, else the nearest
+ * carrier; NULL: there is none. */
 static const SupportRoller *nearest_turner(int n, const SupportRoller *turner, double begin, double end, double from,
                                            Vec3 curvature)
 {
@@ -517,16 +518,16 @@ static const SupportRoller *nearest_turner(int n, const SupportRoller *turner, d
     return nearest[nearest[1] ? 1 : 0];
 }
 
-/* ----------------------------------------------------------------------------------- how much each of them turns it */
+/* ----------------------------------------------------------------------------------- turn at each roller */
 
-/* A walk along a bend: by how much the route has turned from its begin up to s, and the integral of that. */
+/* Integration along a bend: the turn of the route from its start up to s, and the integral of that. */
 typedef struct RopeWalk {
     const Route *route;
     int piece, last;
     double s, turned, sum; /* m, rad, rad m */
 } RopeWalk;
 
-enum { PARTS = 8 }; /* of a piece, in each of which the curvature counts as linear */
+enum { PARTS = 8 }; /* per piece; the curvature counts as linear in each */
 
 static double curvature_on(const Route *route, int piece, double s)
 {
@@ -534,7 +535,7 @@ static double curvature_on(const Route *route, int piece, double s)
     return p->kind == ROUTE_BEND ? 1 / p->radius : v3_norm(route_way_on_piece(route, piece, s).curvature);
 }
 
-/* Up to `to`; what lies before the bend does not turn, nor what lies beyond it. */
+/* Advances to `to`; the route does not turn outside the bend. */
 static void walk_on(RopeWalk *w, double to)
 {
     while (w->s < to && w->piece <= w->last) {
@@ -550,13 +551,13 @@ static void walk_on(RopeWalk *w, double to)
     w->s = fmax(w->s, to);
 }
 
-/* The rope from one roller to the next: its chord goes as the route does on the mean between them. (LI13) */
+/* The rope from one roller to the next: its chord has the route's mean direction between them. (LI13) */
 typedef struct Wrap {
     RopeWalk walk;
     int n;              /* rollers, or groups of rollers that stand at one place */
     double s, sum;      /* of the walk at the last one */
-    double way, across; /* rad, of the chord to it; its diameter, m */
-    double round;       /* m, the smallest diameter that it is wrapped round */
+    double way, across; /* rad, direction of the chord to it; its diameter, m */
+    double round;       /* m, the smallest diameter of a wrapped roller */
 } Wrap;
 
 static Wrap wrap_begin(const Route *route, int p, int to)
@@ -564,7 +565,7 @@ static Wrap wrap_begin(const Route *route, int p, int to)
     return (Wrap){.walk = {.route = route, .piece = p, .last = to, .s = route->piece[p].s0}, .round = INFINITY};
 }
 
-/* The chord ahead of the last roller goes that way. */
+/* Ends the turn at the last roller with the chord's direction ahead of it. */
 static void wrap_leave(Wrap *w, double way)
 {
     if (w->n > 0 && way - w->way >= ROPE_WRAPPED * (1 - 1e-9)) w->round = fmin(w->round, w->across);
@@ -592,12 +593,12 @@ static double wrap_end(Wrap *w, double end)
     return w->round;
 }
 
-/* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of the smallest roller that it is
- * wrapped round. Rollers share the turn that stand on its inner side, or without such the carriers (grooves hold it);
- * of a bend without rollers and without a duct those to both sides. */
+/* Diameter round which the bend of pieces p to `to` bends the rope, m: its own, or that of the smallest roller that the
+ * rope wraps. The rollers on its inner side share the turn, or without them the carriers (grooves hold the rope); in a
+ * bend without rollers and duct, the nearest ones on both sides. */
 static double bent_round(const Setup *setup, const Route *route, int p, int to, const SupportRoller *turner)
 {
-    Wrap wrap[] = {wrap_begin(route, p, to), wrap_begin(route, p, to)}; /* carriers that lie level; the inner side */
+    Wrap wrap[] = {wrap_begin(route, p, to), wrap_begin(route, p, to)}; /* level carriers; inner side */
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
     const int n = setup->supports.n_rollers;
     double radius = INFINITY;
@@ -645,26 +646,27 @@ Finding rope_bend(const Setup *setup, const Route *route, double head, const Sup
         f = (Finding){.value = setup->def->limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
     }
-    f.absent = isinf(f.value) || setup->def->strand.joined >= 0; /* the rope of chains is said with the rope */
+    f.absent =
+        isinf(f.value) || setup->def->strand.joined >= 0; /* the finding belongs to the rope that pulls the chains */
     f.value /= rope_diameter(setup);
     snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
     return f;
 }
 
-/* What bending takes that theory leaves out: a stiff cable is held in a bend by both sides of what it lies in, which
- * rub on it. docs/model.md, "Pulling theory" (T32). */
+/* Effect of bending stiffness that theory neglects: both sides of a bend's supports hold a stiff cable, which causes
+ * friction. docs/model.md, "Pulling theory" (T32). */
 
-static const double DOUBT = 1.5; /* runs have 0.6 to 1.4 times what is said here */
+static const double DOUBT = 1.5; /* runs have 0.6 to 1.4 times this estimate */
 
-/* One bend, whatever parts it is drawn in. */
+/* One bend, of any number of pieces. */
 typedef struct Bend {
     double begin, end, turn; /* m along the route, rad */
     double radius;           /* m, the mean one */
-    double room;             /* m, from one side to the other; NAN: nothing is on both sides of the cable */
-    double apart;            /* m, at least, of the places that hold it */
+    double room;             /* m, from one side to the other; NAN: no supports on both sides */
+    double apart;            /* m, least distance between its supports */
 } Bend;
 
-/* Whether rollers stand on its inner and on its outer side: pairs above and below do not hold a bend to the side. */
+/* Checks for rollers on the inner and the outer side: pairs above and below give no lateral support in a bend. */
 static int rollers_hold(const Supports *map, const Bend *b)
 {
     int inner = 0, outer = 0;
@@ -675,7 +677,7 @@ static int rollers_hold(const Supports *map, const Bend *b)
     return inner && outer;
 }
 
-/* Of pieces p to `to`. */
+/* Builds the bend of pieces p to `to`. */
 static Bend bend_at(const Setup *setup, const Calculator *c, int p, int to, const CableDef *cable)
 {
     const Route *const route = c->route;
@@ -698,20 +700,20 @@ static Bend bend_at(const Setup *setup, const Calculator *c, int p, int to, cons
     return b;
 }
 
-/* N, by which that bend holds back a cable that is pulled through it: what both sides press on it more than on a limp
- * one, and the loop of its bending (T32). */
+/* Force with which the bend holds back a cable, N, by stiffness: additional force of both sides compared with a limp
+ * cable, and the loop of its bending (T32). */
 static double bend_takes(const Bend *b, const CableDef *cable, double mu, double tension)
 {
     if (isnan(b->room)) return cable_def_loop(cable, 1 / b->radius);
     const double reach2 = 24 * b->radius * b->room, bends = b->turn * b->radius;
-    const int lies_in_it = bends * bends >= reach2; /* it is bent as the route is, somewhere */
+    const int lies_in_it = bends * bends >= reach2; /* it has the route's curvature somewhere */
     const double along = lies_in_it ? sqrt(reach2 + b->apart * b->apart) : 12 * b->room / b->turn + 1.5 * bends;
     const double curvature = lies_in_it ? 1 / b->radius : 2 * b->turn / along;
     const double moment = cable_def_moment(cable, curvature) - fmax(0, tension) * b->room;
     return mu * fmax(0, moment) * (lies_in_it ? 4 : 8) / along + cable_def_loop(cable, curvature);
 }
 
-/* The cable that one bend takes most of, and that, N. */
+/* Largest such force of one bend over the cables, N. */
 static double bend_most(const Setup *setup, const Calculator *c, int way, int p, int to)
 {
     const RoutePiece *const last = &c->route->piece[to];
@@ -727,13 +729,12 @@ static double bend_most(const Setup *setup, const Calculator *c, int way, int p,
     return most * c->cables;
 }
 
-/* N, about, by which it raises the winch's force of the section that it raises most; at: m along the route, of the bend
- * with most of it. A pull that begins anew in a pit knows nothing of what was before. */
+/* Estimated increase of the winch force in the section with the largest increase, N; at: the bend with the largest
+ * part, m along the route. A pit begins a new section without earlier effects. */
 static double way_takes(const Setup *setup, const Calculator *c, int way, double *at)
 {
     const Route *const route = c->route;
-    double all = 0, worst = 0, most = 0,
-           ahead = 1; /* ahead, pulled back: by how much it grows up to the section's end */
+    double all = 0, worst = 0, most = 0, ahead = 1; /* ahead, pulled back: growth factor up to the section's end */
     double section = NAN;
     for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
@@ -756,7 +757,7 @@ static double way_takes(const Setup *setup, const Calculator *c, int way, double
     return worst;
 }
 
-/* What a limit has left, N, of those that go with the pull; INFINITY: it says nothing of it. */
+/* Margin of a limit, N, if it depends on the pull; else INFINITY. */
 static double left_of(const hawser_limit *limit, const PlanWay *way)
 {
     if (!limit->judged || !limit->ok) return INFINITY;

@@ -1,5 +1,5 @@
-/* Whether what carries and guides the cable does so all along, whatever its tension: the condition `supported` of
- * theory. docs/model.md, "Pulling theory" (T29)-(T31). */
+/* Checks whether the cable has vertical and lateral support all along, whatever its tension: the condition `supported`
+ * of theory. docs/model.md, "Pulling theory" (T29)-(T31). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,17 +11,18 @@
 
 /* ------------------------------------------------------------------------------------------------------------- gaps */
 
-/* Whether the cable sags too far where nothing carries it: it would press on its supports with other angles than the
- * route has, or fall. */
-static const double SPAN = 5;  /* m without anything that carries, from which on it is asked how far the cable sags */
-static const double SAG = 0.1; /* of that length */
-enum { PLACES = 8 };           /* at which a span is compared with its chord */
+/* Checks the sag of unsupported spans: with a large sag the cable would meet its supports at other angles than the
+ * route's, or fall. */
+static const double SPAN = 5;  /* m, shortest unsupported span whose sag is checked */
+static const double SAG = 0.1; /* share of that length */
+enum { PLACES = 8 };           /* number of places where a span is compared with its chord */
 
 typedef struct Span {
     double from, to; /* m along the route */
 } Span;
 
-/* Whether the cable comes to lie on a floor before it has left the route by more than its size and half a metre. */
+/* Checks whether the cable comes to rest on a floor before it has left the route by more than its size and half a
+ * metre. */
 static int has_floor(const Supports *map, Span span)
 {
     const Vec3 at = route_at(map->route, (span.from + span.to) / 2).position;
@@ -29,7 +30,7 @@ static int has_floor(const Supports *map, Span span)
     return supports_floor(map, at, -thick, SAG * SPAN + thick) != NULL;
 }
 
-/* How far the route leaves the straight line between both ends of a span, m; 0 where a roller holds its bend. */
+/* Largest distance of the route from the chord of a span, m; 0 if a roller holds its bend. */
 static double off_chord(const Supports *map, Span span)
 {
     const Route *const route = map->route;
@@ -44,7 +45,7 @@ static double off_chord(const Supports *map, Span span)
     return most;
 }
 
-/* The next span without anything that carries, from `from` (m) on; 0: there is none. */
+/* Finds the next unsupported span from `from` (m) on; returns 0 if there is none. */
 static int next_span(const Supports *map, double from, Span *out)
 {
     out->from = supports_covered(map, from);
@@ -53,7 +54,7 @@ static int next_span(const Supports *map, double from, Span *out)
     return 1;
 }
 
-/* As a string and a beam on two supports, m: (T29). */
+/* Sag as a string and a beam on two supports, m: (T29). */
 static double sag_of(const Setup *setup, const Route *route, const Pull *pull, Span span)
 {
     const SceneDef *const def = setup->def;
@@ -65,7 +66,7 @@ static double sag_of(const Setup *setup, const Route *route, const Pull *pull, S
     return setup->cable_weight * across * length * length / (8 * held);
 }
 
-/* The spans of one way, with the least tension that it has; without the script's friction if it takes some away. */
+/* Checks the spans of one direction at their least tension, with friction as far as the script lowers it. */
 static hawser_status way_judge(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                hawser_error *err)
 {
@@ -88,14 +89,14 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
         out->holds = sag <= SAG;
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing carries the cable between %.1f and %.1f m, where it would be %.3g m off the route, or fall: "
-                 "give what carries it",
+                 "give supports there",
                  from, to, sag * (to - from));
     }
     pull_clear(&pull);
     return HAWSER_OK;
 }
 
-/* Whether there is a span of that length at all. */
+/* Checks for any span of that length. */
 static int has_span(const Supports *map)
 {
     for (Span span = {0, 0}; next_span(map, span.to, &span);)
@@ -114,17 +115,17 @@ static hawser_status gaps_judge(const Setup *setup, const Calculator *c, hawser_
 
 /* ----------------------------------------------------------------------------------------------------------- uplift */
 
-/* Whether its tension lifts the cable, or rope ahead of it, off what carries it, where the route turns upward: a run in
- * which it leaves its route so far is not trusted, and theory has it lying there (T31). */
+/* Checks for uplift of the cable, or of the rope ahead of it, where the route turns upward: a run that leaves its route
+ * this far is not trusted, and theory assumes contact (T31). */
 static const double STEP = 0.5;           /* m between places */
-static const double STEEP = M_PI / 3;     /* rad, of a slope over whose plan no string is looked at */
-enum { PLACES_MOST = 20000, FRONTS = 8 }; /* places; of the cable's front that rope is looked at with */
+static const double STEEP = M_PI / 3;     /* rad, slope above which no string over the plan is computed */
+enum { PLACES_MOST = 20000, FRONTS = 8 }; /* places; places of the cable's front tried for rope */
 
 /* A place of the route. */
 typedef struct Place {
     double s, x; /* m along the route, in plan */
-    double f;    /* m, its height over a parabola that bends as the cable would */
-    int held;    /* something is above it */
+    double f;    /* m, height above a parabola with the cable's curvature */
+    int held;    /* held down from above */
     int steep;
 } Place;
 
@@ -132,13 +133,13 @@ typedef struct Places {
     const Setup *setup;
     const Calculator *c;
     Drawn drawn;
-    double from;   /* m along the route: it lies ahead of that */
-    double weight; /* N/m, of the lightest piece; or the rope's */
+    double from;   /* m along the route: start of the rope ahead */
+    double weight; /* N/m, of the lightest piece, or the rope's */
     int n;
     double step;           /* m */
-    Place *place;          /* [n], each a step farther along the route */
+    Place *place;          /* [n], one step apart along the route */
     int *hull;             /* [n] */
-    struct Places *closer; /* of rope: with the front at one place; NULL: the cable */
+    struct Places *closer; /* of rope: for one place of the front; NULL: the cable */
 } Places;
 
 typedef struct Lift {
@@ -150,7 +151,7 @@ static void lift_take(double by, double at, Lift *most)
     if (by > most->by) *most = (Lift){by, at};
 }
 
-/* ---------------------------------------------------------------------------------------------- what holds it down */
+/* ---------------------------------------------------------------------------------------------- support from above */
 
 static void hold(Places *p, double from, double to)
 {
@@ -158,7 +159,7 @@ static void hold(Places *p, double from, double to)
     for (int i = first; i <= last; ++i) p->place[i].held = 1;
 }
 
-/* Where the cable would meet a ceiling before it is too far off. */
+/* Marks places where the cable would meet a ceiling before it is too far off the route. */
 static void ceiling_hold(Places *p, const SurfaceShape *on)
 {
     if (on->normal.z > -SUPPORT_LEVEL) return;
@@ -169,7 +170,7 @@ static void ceiling_hold(Places *p, const SurfaceShape *on)
     }
 }
 
-/* What is above it: ducts, belts, rollers, ceilings; of rope, the cable behind it. */
+/* Marks places held from above: by ducts, belts, rollers, ceilings; for rope also by the cable behind it. */
 static void places_hold(Places *p)
 {
     const Supports *const map = &p->setup->supports;
@@ -185,7 +186,7 @@ static void places_hold(Places *p)
 
 /* ----------------------------------------------------------------------------------------------------- the string */
 
-/* Heights over the plan, and over a parabola that bends by w/T, from place `first` to `last`. */
+/* Computes heights over the plan, less a parabola with curvature w/T, from place `first` to `last`. */
 static void places_fill(Places *p, int first, int last)
 {
     const Route *const route = p->c->route;
@@ -208,9 +209,9 @@ static double above(const Place *a, const Place *b, const Place *c)
     return (b->x - a->x) * (c->f - a->f) - (b->f - a->f) * (c->x - a->x);
 }
 
-/* From place `first` to `last`, at which it lies on the route: the string is the least that is nowhere below the route
- * and bends upward by no more than w/T, the parabola and over it the upper hull of the rest. Returns how many places it
- * lies on it at. */
+/* Finds the string between places `first` and `last`, where it touches the route: the lowest line nowhere below the
+ * route that curves upward by at most w/T, that is the parabola plus the upper hull of the rest. Returns the number of
+ * contact places. */
 static int hull_find(const Places *p, int first, int last)
 {
     int n = 0;
@@ -221,7 +222,7 @@ static int hull_find(const Places *p, int first, int last)
     return n;
 }
 
-/* Chord k of the hull. */
+/* Takes in the lift along chord k of the hull. */
 static void chord_lift(const Places *p, int k, Lift *most)
 {
     const Place *const a = &p->place[p->hull[k]], *const b = &p->place[p->hull[k + 1]];
@@ -229,7 +230,7 @@ static void chord_lift(const Places *p, int k, Lift *most)
         lift_take(a->f + (b->f - a->f) * (at->x - a->x) / (b->x - a->x) - at->f, at->s, most);
 }
 
-/* Rope with the front at that place. */
+/* Takes in the lift of the rope with the front at one place. */
 static void front_lift(const Places *p, int front, int last, Lift *most)
 {
     Places *const closer = p->closer;
@@ -240,8 +241,8 @@ static void front_lift(const Places *p, int front, int last, Lift *most)
     for (int k = 0, n = hull_find(closer, front, last); k + 1 < n; ++k) chord_lift(closer, k, most);
 }
 
-/* A chord of rope, which has been drawn with the most that it is there wherever the front is, looked at with the front
- * at places before its top. */
+/* Refines a chord of rope, whose tension is an upper bound over all places of the front, with the front at places
+ * before its top. */
 static void chord_closer(const Places *p, int k, int last, Lift *most)
 {
     Lift bound = *most;
@@ -279,8 +280,8 @@ static double straight_beside(const Route *route, int piece)
     return route->piece[piece].length;
 }
 
-/* R' of (T31) where the corner from `begin` to `end` is steep: T/w, or as far as the straights beside it reach. Of rope
- * the tension counts that it has with the front so far before the corner. */
+/* R' of (T31) for a steep corner from `begin` to `end`: T/w, or as far as the adjacent straights reach. For rope the
+ * tension with the front at that distance before the corner counts. */
 static double corner_bends(const Places *p, double begin, double end, double radius, double reach)
 {
     const double across = tan((end - begin) / radius / 2);
@@ -313,7 +314,7 @@ static void steep_lift(const Places *p, Lift *most)
 
 /* ------------------------------------------------------------------------------------------------------- the route */
 
-/* Whether the route bends upward by more than w/T anywhere. */
+/* Checks whether the route bends upward by more than w/T anywhere. */
 static int may_lift(const Places *p)
 {
     const Route *const route = p->c->route;
@@ -359,7 +360,7 @@ static hawser_status places_lift(Places *p, Lift *most, hawser_error *err)
     return fine ? HAWSER_OK : error_memory(err);
 }
 
-/* Rope ahead, at speed. */
+/* Checks the rope ahead in motion. */
 static hawser_status rope_lift(const Setup *setup, const Calculator *c, Lift *most, hawser_error *err)
 {
     const double begins = fmax(0, setup->front), apart = fmax(STEP, c->route->length / PLACES_MOST);
@@ -394,7 +395,7 @@ static hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawse
     *out = theory_condition(HAWSER_CONDITION_SUPPORTED, most.by, SUPPORT_OFF_ROUTE);
     out->unit = "m";
     snprintf(out->remedy, sizeof out->remedy,
-             "taut, the %s lifts off what carries it by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
+             "taut, the %s lifts off its supports by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
              "out 'run' and 'drive'",
              rope ? "rope" : "cable", most.by, most.at);
     return HAWSER_OK;
@@ -402,37 +403,37 @@ static hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawse
 
 /* --------------------------------------------------------------------------------------------------------- the side */
 
-/* Whether something holds the cable to the side wherever it turns: taut, it takes the shortest way between what does,
- * and runs off rollers that end before (T30). */
-static const double LEANS = .05;     /* tangent of the least angle by which a roller leans or is grooved */
+/* Checks lateral support in bends. A taut cable takes the shortest path between its lateral supports and slides off
+ * rollers that end before it (T30). */
+static const double LEANS = .05;     /* tangent of the least inclination of a roller or flank that counts */
 static const double STRAIGHT = 1e-8; /* rad: less is no turn */
 static const double FREE = 2;        /* m to the side where nothing ends, or half the bend's radius */
-static const double BELOW = .05;     /* m between the cable and a floor that it comes to lie on */
+static const double BELOW = .05;     /* m, largest gap between the cable and a floor that it comes to rest on */
 static const double APART = 0.5;     /* m, between the places of a tray */
 
-static const double NEAR = 1e-3; /* m: places and rooms that differ by less are one */
+static const double NEAR = 1e-3; /* m: places and clearances that differ by less count as equal */
 
 enum { LEFT, RIGHT, SIDES };
 enum { GATES_MOST = 10000 }; /* places of a tray */
 
-/* A place at which the cable may be so far to either side of the route, in plan, and what it presses on there. */
+/* A place with bounds for the cable's lateral position in plan, and the support at these bounds. */
 typedef struct Gate {
     double s, x, y, left[2]; /* m along the route; m, in plan; unit, level, to its left */
-    double room[SIDES];      /* m; INFINITY: nothing is there */
-    double bears[SIDES];     /* N to the side for each that weighs on it; 0: it ends there */
-    double free;             /* m, as far as the cable is followed to a side where nothing is */
-    double span;             /* m of cable that weigh on it */
-    double falls;            /* tangent: to the left, of what carries without a groove; below 0: to the right */
+    double room[SIDES];      /* m; INFINITY: no bound */
+    double bears[SIDES];     /* lateral force per weight on it; 0: the support ends there */
+    double free;             /* m, considered distance to a side without a bound */
+    double span;             /* m of cable whose weight it carries */
+    double falls;            /* tangent of the cross slope of an ungrooved carrier: positive down to the left */
     int carries;
 } Gate;
 
 typedef struct Gates {
     const Setup *setup;
     const Calculator *c;
-    int rope;             /* it is the rope ahead that is asked, where it lies before the cable has come there */
+    int rope;             /* the rope ahead is checked, where it lies before the cable arrives */
     double cable, weight; /* m, its radius; N/m, of the lightest piece; or the rope's */
-    double from, to;      /* m along the route, where it is asked */
-    int flanks;           /* whether flanks that bear something hold the cable on the route; else it may leave them */
+    double from, to;      /* m along the route, checked range */
+    int flanks;           /* flanks with a bearing capacity hold the cable on the route; else it may leave them */
     int n;
     Gate *gate; /* [n] by rising s */
 } Gates;
@@ -444,17 +445,17 @@ static Gate gate_at(const Route *route, double s)
     const RoutePoint at = route_at(route, s);
     const Vec3 left = route_left(route, s);
     const double length = hypot(left.x, left.y);
-    return (Gate){
-        .s = s,
-        .x = at.position.x,
-        .y = at.position.y,
-        .left = {left.x / length, left.y / length},
-        .free = fmin(FREE, 0.5 / fmax(v3_norm(at.curvature), 1e-9)), /* a gate that is longer meets its neighbours */
-        .room = {INFINITY, INFINITY},
-        .bears = {INFINITY, INFINITY}};
+    return (Gate){.s = s,
+                  .x = at.position.x,
+                  .y = at.position.y,
+                  .left = {left.x / length, left.y / length},
+                  .free =
+                      fmin(FREE, 0.5 / fmax(v3_norm(at.curvature), 1e-9)), /* a longer gate would meet its neighbours */
+                  .room = {INFINITY, INFINITY},
+                  .bears = {INFINITY, INFINITY}};
 }
 
-/* Something ends or stands there: the nearer one counts, and of two that are as near what bears more. */
+/* Sets a bound: the nearer one counts, and of two at the same distance the one that bears more. */
 static void gate_narrow(Gate *gate, int side, double room, double bears)
 {
     room = fmax(room, 0);
@@ -466,17 +467,18 @@ static void gate_narrow(Gate *gate, int side, double room, double bears)
 
 static double to_the_left(const Gate *gate, Vec3 v) { return v.x * gate->left[0] + v.y * gate->left[1]; }
 
-/* A guide beside the cable. */
+/* Takes in a guide beside the cable. */
 static void guide_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate *gate)
 {
     const double off = to_the_left(gate, v3_sub(roller->centre, at));
     gate_narrow(gate, off > 0 ? LEFT : RIGHT, fabs(off) - roller->radius - g->cable, INFINITY);
 }
 
-/* A carrier: level, it ends on both sides; one that leans, or has a groove, bears with its flank. */
+/* Takes in a carrier: a level one ends on both sides; an inclined or grooved one bears with its flank. */
 static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate *gate)
 {
-    const Vec3 push = v3_reject(v3_sub(at, roller->centre), roller->axis); /* of the roller on the cable */
+    const Vec3 push =
+        v3_reject(v3_sub(at, roller->centre), roller->axis); /* direction of the roller's force on the cable */
     const double lean = atan2(to_the_left(gate, push), fmax(push.z, 0)), half = roller->width / 2;
     const double flank = atan(groove_flank(roller->profile, &roller->groove));
     const double middle = to_the_left(gate, v3_sub(roller->centre, at)) + to_the_left(gate, push);
@@ -493,7 +495,7 @@ static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate 
     gate->carries = 1;
 }
 
-/* A wall beside the cable. */
+/* Takes in a wall beside the cable. */
 static void wall_take(const Gates *g, const SurfaceShape *wall, Vec3 at, Gate *gate)
 {
     const double above = v3_dot(v3_sub(at, wall->point), wall->normal), leads = to_the_left(gate, wall->normal);
@@ -508,7 +510,7 @@ static void walls_take(const Gates *g, Vec3 at, Gate *gate)
     for (int k = 0; k < map->n_planes; ++k) wall_take(g, &map->plane[k]->shape, at, gate);
 }
 
-/* What carries there, of floors and of trays without sides or of two flanks; NULL: nothing. */
+/* Carrying floor, or tray without sides or with two flanks; NULL: nothing. */
 static const SurfaceDef *carrier_at(const Gates *g, double s, Vec3 at)
 {
     const Supports *const map = &g->setup->supports;
@@ -518,13 +520,13 @@ static const SurfaceDef *carrier_at(const Gates *g, double s, Vec3 at)
     return supports_floor(map, at, g->cable - BELOW, g->cable + BELOW);
 }
 
-/* At how many places of the route floors and trays are looked at. */
+/* Number of places of the route at which floors and trays are inspected. */
 static int places_of(const Gates *g)
 {
     return g->setup->def->n_surfaces > 0 ? (int)fmin(ceil(g->c->route->length / APART), GATES_MOST) : 0;
 }
 
-/* Floors and trays; on a floor the cable may slide until it has left the route. */
+/* Takes in floors and trays; on a floor the cable may slide until it has left the route. */
 static void surfaces_take(Gates *g)
 {
     const int n = places_of(g);
@@ -546,7 +548,7 @@ static void surfaces_take(Gates *g)
     }
 }
 
-/* Gates that stand in one place are one: the narrower of both to either side. */
+/* Joins gates at one place into one, with the narrower bound on either side. */
 static void gates_join(Gates *g)
 {
     int n = 0;
@@ -562,7 +564,7 @@ static void gates_join(Gates *g)
     g->n = n;
 }
 
-/* What weighs on each: half way to those that carry beside it. */
+/* Computes the length of cable that each carrier bears: halfway to the neighbouring carriers. */
 static void gates_weigh(Gates *g)
 {
     int before = -1, carrier = -1;
@@ -603,14 +605,14 @@ static hawser_status gates_find(Gates *g, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* ---------------------------------------------------------------------------------------- the shortest way, in plan */
+/* ---------------------------------------------------------------------------------------- the shortest path in plan */
 
 typedef struct Point {
     double x, y;
-    int gate, side; /* where it is; gate -1: an end */
+    int gate, side; /* its gate and side; gate -1: an end */
 } Point;
 
-/* Twice the area of a triangle, positive if c is to the left of the way from a to b. */
+/* Twice the area of a triangle, positive if c is to the left of the line from a to b. */
 static double area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 static Point gate_end(const Gates *g, int i, int side)
@@ -620,19 +622,19 @@ static Point gate_end(const Gates *g, int i, int side)
     return (Point){gate->x + off * gate->left[0], gate->y + off * gate->left[1], i, side};
 }
 
-/* The turn of the way at b, rad, positive to the left. */
+/* Turn of the path at b, rad, positive to the left. */
 static double turn_at(Point a, Point b, Point c)
 {
     const double along = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
     return atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x), along);
 }
 
-/* What the way through the gates presses with that tension, N to the side, and what is borne there. */
+/* Lateral force of the path through the gates at this tension, N, and the force that is borne there. */
 typedef struct Press {
     double s, force, borne;
 } Press;
 
-/* The cable turns at b, where a gate ends. */
+/* Takes in the turn of the path at b, at the bound of a gate. */
 static void press_take(const Gates *g, const Drawn *drawn, Point a, Point b, Point c, Press *worst)
 {
     const double turn = fabs(turn_at(a, b, c));
@@ -647,8 +649,8 @@ static void press_take(const Gates *g, const Drawn *drawn, Point a, Point b, Poi
     if (force - borne > worst->force - worst->borne) *worst = (Press){gate->s, force, borne};
 }
 
-/* The shortest way from a to b through gates first..last-1: a funnel that narrows from gate to gate, and begins anew
- * where its sides cross. */
+/* Finds the shortest path from a to b through gates first..last-1: a funnel that narrows from gate to gate, and begins
+ * anew where its sides cross. */
 static void way_press(const Gates *g, const Drawn *drawn, int first, int last, Point a, Point b, Press *worst)
 {
     Point before = a, apex = a, side[SIDES] = {a, a};
@@ -662,7 +664,7 @@ static void way_press(const Gates *g, const Drawn *drawn, int first, int last, P
                 side[k] = end;
                 continue;
             }
-            if (toward * area(apex, side[k], end) > 0) continue; /* wider */
+            if (toward * area(apex, side[k], end) > 0) continue; /* it does not narrow */
             if (toward * area(apex, side[!k], end) >= 0) {
                 side[k] = end;
                 continue;
@@ -679,17 +681,18 @@ static void way_press(const Gates *g, const Drawn *drawn, int first, int last, P
     press_take(g, drawn, before, apex, b, worst);
 }
 
-/* ------------------------------------------------------------------------------------------ what falls to the side */
+/* ------------------------------------------------------------------------------------------ cross slope */
 
-/* Where what carries the cable falls to the side by more than LEANS, and nothing holds it on the low side. */
+/* A stretch whose carriers slope to the side by more than LEANS without a bound on the low side. */
 typedef struct Shed {
-    double from, to, falls, slides, room; /* m along the route; tangent; m to the side, and as far as it may go */
+    double from, to, falls, slides, room; /* m along the route; tangent; lateral movement and its limit, m */
 } Shed;
 
-/* Whether something keeps the cable from going that way at a gate. */
+/* Checks whether a gate holds the cable on that side. */
 static int gate_holds(const Gate *gate, int low) { return gate->bears[low] > LEANS && !isinf(gate->room[low]); }
 
-/* Gates first..last-1, which lean one way, on a length from..to at whose ends the cable is held (T30a). */
+/* Takes in gates first..last-1, which slope to one side, on a length from..to at whose ends the cable is held (T30a).
+ */
 static void shed_take(const Gates *g, const Drawn *drawn, int first, int last, double from, double to, Shed *worst)
 {
     const int low = g->gate[first].falls > 0 ? LEFT : RIGHT;
@@ -704,7 +707,7 @@ static void shed_take(const Gates *g, const Drawn *drawn, int first, int last, d
     if (slides - room > worst->slides - worst->room) *worst = (Shed){begins, ends, falls, slides, room};
 }
 
-/* The same of all that lean between two places at which the cable is held to both sides. */
+/* Takes in all sloping gates between two places at which the cable is held to both sides. */
 static void sheds_take(const Gates *g, const Drawn *drawn, int gate, int last, double from, double to, Shed *worst)
 {
     for (int i = gate; i < last;) {
@@ -734,7 +737,7 @@ static void shed_say(const Shed *shed, hawser_condition *out)
     out->allowed = shed->room;
     snprintf(
         out->remedy, sizeof out->remedy,
-        "what carries the cable from %.1f m to %.1f m falls to the side by %.2g degrees, and nothing holds it there: "
+        "what carries the cable from %.1f m to %.1f m slopes to the side by %.2g degrees, and nothing holds it there: "
         "moving, it slides off; give guides, or lay it level",
         shed->from, shed->to, atan(shed->falls) * 180 / M_PI);
 }
@@ -775,10 +778,11 @@ static void press_say(const Gates *g, const Press *press, hawser_condition *out)
     out->value = press->force;
     out->allowed = press->borne;
     if (press->borne > 0) {
-        snprintf(out->remedy, sizeof out->remedy,
-                 "taut, the %s presses to the side with %.3g N at %.1f m, and what leans or is grooved there bears "
-                 "%.3g N: %s",
-                 what, press->force, press->s, press->borne, end);
+        snprintf(
+            out->remedy, sizeof out->remedy,
+            "taut, the %s presses to the side with %.3g N at %.1f m, and the inclined or grooved support there bears "
+            "%.3g N: %s",
+            what, press->force, press->s, press->borne, end);
     } else {
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing holds the %s to the side at %.1f m (guide, groove, wall or duct): taut, it runs off its "
@@ -792,7 +796,7 @@ static void worst_take(Press press, Press *worst)
     if (press.force - press.borne > worst->force - worst->borne) *worst = press;
 }
 
-/* By the pull at speed, and from rest where that is more. */
+/* Checks the cable in the moving pull, and from rest where that is larger. */
 static hawser_status cable_take(const Gates *g, int way, Press *worst, Shed *shed, hawser_error *err)
 {
     const Calculator *const c = g->c;
@@ -808,7 +812,7 @@ static hawser_status cable_take(const Gates *g, int way, Press *worst, Shed *she
     return HAWSER_OK;
 }
 
-/* The same of rope ahead, with the cable's front wherever that is tightest. */
+/* Checks the rope ahead, with the cable's front where that is tightest. */
 static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_error *err)
 {
     const Calculator *const c = g->c;
@@ -823,7 +827,7 @@ static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_err
     return HAWSER_OK;
 }
 
-/* What it presses with at worst, beyond what is borne there, either way. */
+/* Finds the largest excess of lateral force over the bearing capacity, over both directions. */
 static hawser_status worst_press(Gates *g, int flanks, Press *worst, Shed *shed, hawser_error *err)
 {
     const Calculator *const c = g->c;
@@ -842,7 +846,7 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, Shed *shed,
     return status;
 }
 
-/* It leaves flanks that do not bear it: guides beside them may. */
+/* Checks lateral support: if flanks do not suffice, guides beside them may. */
 static hawser_status ask_aside(Gates *g, hawser_condition *out, hawser_error *err)
 {
     Press worst, guided;

@@ -28,8 +28,8 @@ int bend_side(Vec3 off, Vec3 curvature)
     return along > least ? 1 : along < -least ? -1 : 0;
 }
 
-/* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
- * duct or tray has it. */
+/* Place of the route nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or is
+ * in a duct or tray. */
 static double place_listed(const Supports *map, const RouteGrid *grid, const RollerDef *roller)
 {
     const Nearest there = route_nearest(grid, roller->centre, 1);
@@ -92,7 +92,8 @@ static int compare_along(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* A surface along the route: to its sides a duct, an upright side, or a flank that bears whatever presses. */
+/* Builds the length of a surface along the route. Lateral support: a duct, a vertical side, or a flank without a limit
+ * on its load. */
 static SupportLength length_of(const SurfaceDef *surface, int item)
 {
     const SurfaceShape *const shape = &surface->shape;
@@ -153,7 +154,7 @@ const SurfaceDef *supports_surface(const Supports *map, double s)
     return k > 0 && s < map->along[k - 1]->shape.to ? map->along[k - 1] : NULL;
 }
 
-/* How many lengths begin at s or before. */
+/* Number of lengths that begin at or before s. */
 static int lengths_to(const Supports *map, double s)
 {
     return items_before(map->n_lengths, &map->length->from, sizeof *map->length, s, 1);

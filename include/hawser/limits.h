@@ -17,13 +17,13 @@ enum { HAWSER_LIMITS_MAX = 24, HAWSER_VERDICT_MAX = 2048 };
 
 /* Which limit it is. Numbers stay; new kinds come behind. */
 typedef enum hawser_limit_kind {
-    HAWSER_LIMIT_PULL,             /* N, largest tension of the cable: what conductor or sheath bear */
+    HAWSER_LIMIT_PULL,             /* N, largest tension of the cable, borne by conductor or sheath */
     HAWSER_LIMIT_RESTART,          /* N, the same from rest */
-    HAWSER_LIMIT_ATTACHMENT,       /* N, at the eye or net: what that bears */
+    HAWSER_LIMIT_ATTACHMENT,       /* N, at the eye or net, borne by that device */
     HAWSER_LIMIT_SIDEWALL,         /* N/m, largest tension over radius in a bend */
     HAWSER_LIMIT_CONTACT_PRESSURE, /* N/m, largest force per length on ducts, trays, floors and walls */
     HAWSER_LIMIT_BEND_RADIUS,      /* m, smallest radius of the cable */
-    HAWSER_LIMIT_ROPE_BEND,        /* 1, smallest diameter that the rope is bent round over its own */
+    HAWSER_LIMIT_ROPE_BEND,        /* 1, smallest bending diameter of the rope over its own */
     HAWSER_LIMIT_ROLLER_STEADY,    /* N, largest load of a roller at steady speed */
     HAWSER_LIMIT_ROLLER_PEAK,      /* N, largest load of a roller at any time */
     HAWSER_LIMIT_ROPE,             /* N, largest tension of the rope */

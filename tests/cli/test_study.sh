@@ -61,7 +61,7 @@ wait_until '[ "$(cat "$work"/long/workers/*.rows | wc -c)" -ge 5000 ]'
 kill -TERM $pid
 wait $pid
 [ $? = 130 ] || fail "$what: not 130"
-says err "the same command goes on"
+says err "the same command continues"
 says out "of 20000, by theory"
 
 # what is wrong

@@ -356,7 +356,7 @@ TEST(carried_by_nothing)
     check_has(json_string_value(json_object_get(o, "verdict_forward")), "SAFE: all");
     json_decref(o);
     o = theory(alone, "run.duration", "10 s");
-    check_has(json_string_value(json_object_get(o, "verdict_forward")), "it would fall; give what carries it");
+    check_has(json_string_value(json_object_get(o, "verdict_forward")), "it would fall; give supports");
     json_decref(o);
     /* and no limit of the tension: not safe either */
     o = theory(text, "limits", "{code: tes}");

@@ -116,7 +116,7 @@ TEST(held_by_what_it_draws)
         const double holds = (k ? 100 : 400) - 20 * down;
         print_message("%.2f N hold %.2f N\n", holds, 10 * down);
         check_close(limit_of(rope, "run_away"), fmax(0, 10 * down - holds), 1e-6);
-        verdict_has(rope, k ? "it would run ahead of what it draws" : "SAFE");
+        verdict_has(rope, k ? "it would run ahead of the cables it pulls" : "SAFE");
         verdict_has(limits_of(all, "a"), "SAFE");
         json_decref(all);
     }

@@ -86,7 +86,7 @@ TEST(the_speed_that_was)
     }
     const char *const tension[] = {row[0].key, row[0].value, NULL};
     char *const answer = theory_text(data_text("limits"), tension);
-    check_has(answer, "a run says");
+    check_has(answer, "only a run gives it");
     hawser_text_free(answer);
 }
 

@@ -226,8 +226,8 @@ TEST(a_start_beside_a_belt)
     const double starts = 0.2 * 22 * 9.81 * 57 / (1 + sqrt(1.5));
     json_t *const all = theory_of(DUCT, setting);
     check_share(number_of(all, "reference_total_N"), 0.2 * 22 * 9.81 * 63 - 2e3, 1e-6);
-    verdict_has(all, "NOT TRUSTED: at the start 'pusher' pushes only as the cable ahead gives way: 1.106 kN, by waves "
-                     "up to a fifth more, are");
+    verdict_has(all, "NOT TRUSTED: at the start 'pusher' pushes only as the cable ahead moves: 1.106 kN, "
+                     "with waves up to a fifth more, are");
     size_t i;
     json_t *row;
     json_array_foreach(json_object_get(all, "trust"), i, row)
@@ -268,7 +268,7 @@ TEST(what_falls_to_the_side)
             verdict_has(all, "SAFE");
         } else {
             verdict_has(all, "NOT TRUSTED: what carries the cable from");
-            verdict_has(all, k ? "falls to the side by 5.7 degrees" : "falls to the side by 5 degrees");
+            verdict_has(all, k ? "slopes to the side by 5.7 degrees" : "slopes to the side by 5 degrees");
         }
         json_decref(all);
     }

@@ -30,11 +30,11 @@ TEST(a_back_tension_that_comes_late)
     } row[] = {
         {"{tension: 3 kN}", "SAFE: all"},
         {"{tension: 3 kN, from: 20 s, to: 60 s}", "SAFE: all"},
-        {"{tension: 3 kN, from: 300 s, to: 310 s}", "before the back tension has come in"},
-        {"{table: [[0 s, 0 N], [300 s, 0 N], [310 s, 3 kN]]}", "before the back tension has come in"},
+        {"{tension: 3 kN, from: 300 s, to: 310 s}", "before the back tension has risen"},
+        {"{table: [[0 s, 0 N], [300 s, 0 N], [310 s, 3 kN]]}", "before the back tension has risen"},
         {"{table: [[0 s, 0 N], [60 s, 3 kN], [400 s, 3 kN], [600 s, 4 kN]]}", "SAFE: all"},
         {"{table: [[0 s, 0 N], [280 s, 3 kN]]}", "SAFE: all"}, /* it rises as the slope fills, and faster */
-        {"{tension: 3 kN, from: 2000 s, to: 2010 s}", "before the back tension has come in"},
+        {"{tension: 3 kN, from: 2000 s, to: 2010 s}", "before the back tension has risen"},
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         verdict_is(text, (const char *const[]){"drive.tail", row[k].tail, NULL}, row[k].says);
@@ -44,7 +44,7 @@ TEST(a_back_tension_that_comes_late)
     } told[] = {
         {"{speed: 0.5 m/s, from: 290 s, to: 291 s}", "[]", "SAFE: all"},
         {"{speed: 0.1 m/s}", "[]", "SAFE: all"},
-        {"{speed: 0.1 m/s}", "[{at: 2 s, do: winch_speed, speed: 0.5 m/s}]", "before the back tension has come in"},
+        {"{speed: 0.1 m/s}", "[{at: 2 s, do: winch_speed, speed: 0.5 m/s}]", "before the back tension has risen"},
         {"{speed: 0.5 m/s}", "[{at: 20 s, do: winch_pause}, {at: 305 s, do: winch_restart}]", "SAFE: all"},
     };
     for (size_t k = 0; k < sizeof told / sizeof *told; k++)
@@ -73,7 +73,7 @@ TEST(a_late_back_tension_behind_belts)
     } row[] = {
         {"{tension: 3 kN}", "SAFE: all"},
         {"{tension: 3 kN, from: 10 s, to: 70 s}", "SAFE: all"},
-        {"{tension: 3 kN, from: 200 s, to: 210 s}", "before the back tension has come in"},
+        {"{tension: 3 kN, from: 200 s, to: 210 s}", "before the back tension has risen"},
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         print_message("%s\n", row[k].tail);
@@ -110,7 +110,7 @@ TEST(a_slope_behind_a_belt)
         "s}}]\nrun: {duration: 480 s}\nlimits: {pull: 50 kN, sidewall: 8 kN/m, push: 10 kN, speed: 1 m/s}\n";
     static const struct {
         const char *key, *value, *says;
-    } row[] = {{"limits.alpha", "1.5", "without what pushes it the cable would run away as well"},
+    } row[] = {{"limits.alpha", "1.5", "without any push the cable would run away as well"},
                {"drive.tail.tension", "1 kN", "SAFE: all"},
                {"conveyors", "[]", "the cable would run away or slacken"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
@@ -119,14 +119,14 @@ TEST(a_slope_behind_a_belt)
     verdict_is(text,
                (const char *const[]){"drive.tail.tension", "1 kN", "drive.script",
                                      "[{at: 1 s, do: friction, factor: 0.5}]", NULL},
-               "without what pushes it the cable would run away as well, pushed with 0.");
+               "without any push the cable would run away as well, pushed with 0.");
     verdict_is(text,
                (const char *const[]){"drive.tail", "{table: [[0 s, 0 N], [600 s, 0 N], [610 s, 1 kN]]}", "theory.feed",
                                      "0 N", NULL},
-               "before the back tension has come in");
+               "before the back tension has risen");
     static const char fed[] = "{feed: 4.2 kN}";
     verdict_is(text, (const char *const[]){"conveyors", "[]", "theory", fed, NULL},
-               "without what pushes it the cable would run away as well");
+               "without any push the cable would run away as well");
 }
 
 /* What pushes harder than the cable holds back pushes the winch: with little of the cable on the way, with what the

@@ -72,7 +72,7 @@ TEST(a_belt_that_runs_with_the_winch)
         const char *pull, *key, *value, *says;
     } row[] = {
         {"1.46 kN", "title", "as it is", "SAFE: all"},
-        {"1.43 kN", "title", "as it is", "'C' runs with the winch, so that lengths decide"},
+        {"1.43 kN", "title", "as it is", "'C' runs with the winch, so that it is not known"},
         {"1.43 kN", "conveyors.0.factor", "1.02", "SAFE: all"},
         {"1.43 kN", "conveyors.0.belt", "{speed: 7 m/min}", "SAFE: all"},
         {"800 N", "title", "as it is", "NOT SAFE: 2 of"}, /* broken with the belt, too */
@@ -96,7 +96,7 @@ TEST(jams_friction_and_motors)
     static const char late[] =
         "{along: {spacing: 1 m, spin: {inertia: 0.05 kg m2, motor: {torque: 0.2 N m, from: 28 s, to: 29 s}}}}";
     static const char early[] = "{along: {spacing: 1 m, spin: {inertia: 0.05 kg m2, motor: {torque: 0.2 N m}}}}";
-    says((const char *const[]){"surfaces", "{}", "rollers", late, NULL}, "have a motor that comes in late, 'R1'");
+    says((const char *const[]){"surfaces", "{}", "rollers", late, NULL}, "have a motor that starts late, 'R1'");
     says((const char *const[]){"surfaces", "{}", "rollers", early, NULL}, "SAFE: all");
 }
 

@@ -178,7 +178,7 @@ TEST(not_told_apart)
                            "twins", &s, &rows);
     assert_true(f.fit.done);
     int said = 0;
-    for (int k = 0; k < f.n_warnings; k++) said |= strstr(f.warning[k], "tail and reel cannot be told apart") != NULL;
+    for (int k = 0; k < f.n_warnings; k++) said |= strstr(f.warning[k], "tail and reel cannot be separated") != NULL;
     assert_true(said);
     clear(s, &rows, &f);
 }

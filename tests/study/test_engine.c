@@ -272,7 +272,7 @@ TEST(stopped)
     hawser_study *s = study_open(study_write(lines));
     const hawser_study_options options = {.jobs = 2, .progress = stop_at_once, .user = &now};
     assert_int_equal(hawser_study_run(s, scratch_path("stopped"), &options, &err), HAWSER_STOPPED);
-    check_has(err.message, "of 100000 samples: the same command goes on");
+    check_has(err.message, "of 100000 samples: the same command continues");
     assert_int_equal(now.samples, 100000);
     assert_int_equal(now.jobs, 2);
     char *text;

@@ -147,7 +147,7 @@ TEST(refused)
         {"optimise: {least: friction.mu, constraints: [{of: friction.mu}]}\n", "give 'at_least' or 'at_most'"},
         {"optimise: {least: friction.mu, constraints: [{of: friction.mu, at_least: 2, at_most: 1}]}\n",
          "must not be above"},
-        {"optimise: {least: friction.mu}\ngrid: [friction.mu]\n", "there is another way to go about it"},
+        {"optimise: {least: friction.mu}\ngrid: [friction.mu]\n", "there is a second one of these"},
         {"monte-carlo: {samples: 3}\n", "give one of uniform, normal"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {

@@ -182,12 +182,12 @@ TEST(bad_studies)
     expect_bad("samples: 64", "samples: 0", "is out of range: must be at least 1");
     expect_bad("tail], r", "nose], r", "value 'nose': no parameter has this name");
     expect_bad("r: 0.5", "r: 1.5", "key 'monte-carlo.correlated.0.r': value '1.5' is out of range");
-    expect_bad("r: 0.5", "r: 1", "no parameters can be correlated so");
+    expect_bad("r: 0.5", "r: 1", "these correlations are impossible");
     expect_bad("friction.mu: {", "friction.mu: {key: friction.my, ",
                "study.yaml:4: with every parameter in its middle the case is refused: --set friction.my");
     expect_bad("route.pieces.row.straight", "route.pieces.rwo.straight", "no item 'rwo'");
     expect_bad(NULL, "monte-carlo: {samples: 3}\n", "key 'parameters': missing: say what is varied");
-    expect_bad(NULL, "parameters: {friction.mu: {values: [0.1]}}\n", "nothing says how to vary");
+    expect_bad(NULL, "parameters: {friction.mu: {values: [0.1]}}\n", "there is none of these");
     expect_bad(NULL, "parameters: {friction.mu: {values: [0.1]}}\ngrid: [friction.mu, friction.mu]\n",
                "or it stands here twice");
     expect_bad(NULL, "parameters: {friction.mu: {values: [0.1]}}\ngrid: [friction.mu]\nlist: {file: x.csv}\n",
@@ -231,7 +231,7 @@ TEST(bad_lists)
         {"friction.mu,friction.mu\n1,2\n", "two columns have the name 'friction.mu'"},
         {"friction.mu,run.duration\n0.1\n", "variants.csv:2: the row has 1 cells, the first row has 2"},
         {"friction.mu\n\"0.1\n", "a quote that does not end"},
-        {"friction.mu\n\"0.1\" x\n", "something stands behind a quote"},
+        {"friction.mu\n\"0.1\" x\n", "text after a closing quote"},
         {"friction.my\n0.1\n", "as in the first row the case is refused"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         scratch_write("variants.csv", row[k][0]);

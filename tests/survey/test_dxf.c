@@ -408,7 +408,7 @@ TEST(as_programs_write_them)
                          "0\nLINE\n8\nA\n60\n1\n10\n3\n20\n0\n11\n9\n21\n0\n"));
     assert_string_equal(only(&s)->layer, "S\xC3\xBC"
                                          "d\xE2\x82\xAC");
-    assert_string_equal(s.ignored[0].what, "LINE that is not to be seen");
+    assert_string_equal(s.ignored[0].what, "LINE that is invisible");
     survey_clear(&s);
 }
 

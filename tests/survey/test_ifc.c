@@ -437,10 +437,10 @@ TEST(what_is_wrong)
     bad(IFC("IFC4X3",
             "#1=IFCALIGNMENT($,$,$,$,$,#2,$,$);\n#2=IFCLOCALPLACEMENT(#2,#3);\n#3=IFCAXIS2PLACEMENT3D(#4,$,$);\n"
             "#4=IFCCARTESIANPOINT((0.,0.,0.));\n"),
-        "placements without an end");
+        "an endless chain of placements");
     bad(IFC("IFC4X3", "#1=IFCALIGNMENT($,$,$,$,$,$,#2,$);\n#2=IFCPRODUCTDEFINITIONSHAPE($,$,(#3));\n"
                       "#3=IFCSHAPEREPRESENTATION($,$,$,(#4));\n#4=IFCGRADIENTCURVE((),.F.,#4,$);\n"),
-        "curves over curves without an end");
+        "an endless chain of base curves");
     bad(IFC("IFC4X3", "#1=IFCALIGNMENT($,$,$,$,$,$,$,$);\n#2=IFCALIGNMENTHORIZONTAL($,$,$,$,$,$,$);\n#3=IFCRELNESTS($,$"
                       ",$,$,#1,(#2));\n"
                       "#4=IFCALIGNMENTHORIZONTALSEGMENT($,$,#5,$,0.,0.,5.,$,.LINE.);\n#5=IFCCARTESIANPOINT((0.,0.));\n#"

@@ -87,8 +87,8 @@ TEST(all_elements)
     /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's, which goes on behind
      * the profile */
     assert_int_equal(s.n_ignored, 6);
-    check_has(s.ignored[4].what, "by the file's word, but its line is");
-    check_has(s.ignored[5].what, "its grade goes on");
+    check_has(s.ignored[4].what, "according to the file, but its line is");
+    check_has(s.ignored[5].what, "its grade continues");
     check_has(s.unit, "foot");
     survey_clear(&s);
 }
@@ -140,7 +140,7 @@ TEST(what_contradicts_itself)
     bad("<LandXML><Alignments><Alignment name=\"a\"><CoordGeom><Line><Start>0 0</Start><End>0 "
         "9</End></Line></CoordGeom>"
         "</Alignment></Alignments><Units><Imperial linearUnit=\"foot\"/></Units></LandXML>",
-        "Units behind what is measured in them");
+        "Units after the values that they apply to");
 }
 
 TEST(what_is_wrong)
@@ -156,7 +156,7 @@ TEST(what_is_wrong)
     bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
         "neither Center nor radius");
     bad(XML(METRIC, ALIGNMENT("<Curve radius=\"9\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
-        "a Curve without rot, cw or ccw: which way it turns");
+        "a Curve without rot, cw or ccw, the direction of its turn");
     bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\" radius=\"x\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
         "expected a number");
     bad(XML(METRIC, ALIGNMENT("<Spiral length=\"9\"><Start>0 0</Start><End>1 2</End></Spiral>", "")), "a Spiral needs");

@@ -158,10 +158,10 @@ TEST(shapes_that_are_refused)
     check_has(shape_of(NAN, &s), "record 1");
     write_shape(SHPT_ARC, 1, both, 3, place, metres);
     truncate(file_at(".shp"), 150);
-    check_has(shape_of(NAN, &s), ".shp is shorter than it says");
+    check_has(shape_of(NAN, &s), ".shp is shorter than its head states");
     write_shape(SHPT_ARC, 1, both, 3, place, metres);
     truncate(file_at(".shx"), 104);
-    check_has(shape_of(NAN, &s), ".shx is shorter than it says");
+    check_has(shape_of(NAN, &s), ".shx is shorter than its head states");
     write_shape(SHPT_ARC, 1, both, 3, place, metres);
     patch(".shx", 100, "\x7F\xFF\xFF\xF0", 4);
     check_has(shape_of(NAN, &s), "record 1 cannot be read");

@@ -261,10 +261,10 @@ TEST(stations_are_the_way)
 {
     Survey s;
     bad("station,x,y,z\n0,0,0,10\n150,100,0,10\n300,200,0,10\n",
-        "3: station 150 m is 150 m from the first one, and the way "
-        "to it is 100 m: expected stations that are the way");
+        "3: station 150 m is 150 m from the first one, and the "
+        "distance along the route is 100 m: expected equal ones");
     bad("station,x,y,direction,length\n0,0,0,0,100\n100,100,0,0,100\n1000,200,0,0,100\n",
-        "4: station 1000 m is 1000 m from the first one, and the way to it is 200 m");
+        "4: station 1000 m is 1000 m from the first one, and the distance along the route is 200 m");
     assert_string_equal(read_text("station,x,y\n1000,0,0\n1100.9,100,0\n1201.5,200,0\n", &s), "");
     assert_int_equal(s.n_ignored, 0);
     survey_clear(&s);
@@ -308,7 +308,7 @@ TEST(radii_have_two_ends)
     survey_clear(&s);
     bad("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n",
         "3: a radius of 200 m, and no gradient at its end that differs from -0.01");
-    bad("x,y,azimuth (deg),length,radius\n0,0,$,999999,\n", "2: an element alone needs its direction");
+    bad("x,y,azimuth (deg),length,radius\n0,0,$,999999,\n", "2: a single element needs its direction");
     bad("x,y,length,start radius\n0,0,50,\n50,0,31.4159265,20\n",
         "a column of start radii, and none of end: elements need both");
     bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n",

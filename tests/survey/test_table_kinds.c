@@ -74,8 +74,8 @@ TEST(slopes_are_not_dropped)
     bad("Length,Slope\n300,1.5\n100,-1\n", "2: '1.5' of column 'Slope' has no unit");    /* 56 deg */
     bad("Length,Slope\n300,-1\n100,0\n", "'-1' of column 'Slope' has no unit");
     bad("Length,Gef\xC3\xA4lle %\n300,2\n", "positive down or up");
-    bad("Station,Quergef\xC3\xA4lle %\n0,2\n100,2\n", "cant says nothing of a line");
-    bad("StartDistAlong,HorizontalLength,StartCantLeft,EndCantLeft\n0,100,0,0.1\n", "cant says nothing");
+    bad("Station,Quergef\xC3\xA4lle %\n0,2\n100,2\n", "cant does not define a line");
+    bad("StartDistAlong,HorizontalLength,StartCantLeft,EndCantLeft\n0,100,0,0.1\n", "cant does not define");
     bad("length,my gradient x\n300,20\n100,0\n", "column 2, 'my gradient x', has numbers that look like");
     bad("length,climb angle %\n300,20\n", "'climb angle %', has numbers");
     bad("length,angle,radius,turn,bearing\n300,,,,90\n,90,10,left,\n", "a column 'direction' in a table of pieces");
@@ -195,7 +195,7 @@ TEST(traverses)
     survey_clear(&s);
     bad("Distance,Direction\n300,90\n100,0\n", "a column 'bearing' counts clockwise from north");
     bad("Distance,Bearing\n300,390\n100,0\n", "a bearing of 390 deg");
-    bad("Distance,Bearing,Radius\n300,90,10\n100,0,20\n50,90,5\n", "radii of corners between legs");
+    bad("Distance,Bearing,Radius\n300,90,10\n100,0,20\n50,90,5\n", "radii at the start or at the end of legs");
 }
 
 /* x, y and a radius for each corner, in plan and with heights; a corner without one is said with what it may be. */
@@ -222,7 +222,8 @@ TEST(corner_lists)
 /* Degrees in x and y were a route of 2 mm; a profile alone a level route of 150 m. */
 TEST(maps_and_profiles)
 {
-    bad("x,y\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n", "degrees? Heads 'longitude' and 'latitude' say so");
+    bad("x,y\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n",
+        "degrees? Then name the columns 'longitude' and 'latitude'");
     static const char *const texts[] = {"lon,lat\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n",
                                         "Latitude;L\xC3\xA4ngengrad\n50,0;8,0\n50,0;8,001\n50,0;8,002\n",
                                         "x (deg),y (deg)\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n"};

@@ -207,7 +207,7 @@ TEST(refusals)
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.05, .cables = 1, .lying = {1, 0.05, 1}},
            "does not pass");
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.03, .cables = 2, .lying = {1, 0.05, 1}},
-           "one is pulled");
+           "only one can be pulled");
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.03, .cables = 1, .lying = {3, 0.045, 1}}, "in a row");
     /* IEEE 1185 has the diamond in wide ducts too, 1 + 2 (d/(D - d))^2; it was refused there */
     check_close(load(5 / 1.2, 4, DUCT_DIAMOND).weight_factor, 1 + 2 * 1.2 * 1.2 / (3.8 * 3.8), 1e-12);
