@@ -3,6 +3,15 @@
 export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?: string])[] = [
   // the screen
   ['New from an example', '从示例新建', 'Neu aus einem Beispiel'],
+  ['New', '新建', 'Neu'],
+  ['Begin', '开始', 'Anfangen'],
+  ['Or with what you have', '或使用已有文件', 'Oder mit dem, was Sie haben'],
+  [
+    'Drop a case or a route here, or choose a file',
+    '将算例或线路文件拖放到此处，或选择文件',
+    'Rechenfall oder Trasse hier ablegen oder eine Datei wählen',
+  ],
+  ['Kept in this browser', '本浏览器保存的内容', 'In diesem Browser aufgehoben'],
   ['A cable in a duct', '管道中的一根电缆', 'Ein Kabel in einem Rohr'],
   ['Three cables in a duct', '同一管道中的三根电缆', 'Drei Kabel in einem Rohr'],
   ['Ducts with a pit between', '中间有工作井的管道', 'Rohre mit einer Grube dazwischen'],
@@ -457,6 +466,11 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     'Um wie viel mehrere Kabel in einem Rohr stärker drücken als ihr Gewicht.',
     'By how much several cables in a duct press more than their weight.',
   ],
+  ['Another value', '添加参数', 'Ein weiterer Wert'],
+  ['Key', '关键字', 'Schlüssel'],
+  ['Value', '数值', 'Wert'],
+  ['Add', '添加', 'Hinzufügen'],
+  ['Add a conveyor', '添加输送机', 'Förderer hinzufügen'],
   // simulate
   ['Simulate', '仿真', 'Simulieren'],
   ['Simulation', '仿真', 'Simulation'],
