@@ -127,3 +127,40 @@ test('a tunnel with rollers and conveyors: equipment by buttons, the run, its vi
   assert.deepEqual(heard, []);
   await close();
 });
+
+test('the drawing that the route came from lies under the plan, also when its line is written into the case', async () => {
+  const { page, close } = await desk();
+  await page.setInputFiles('#file', join(ROOT, 'cases/routes/tunnel.dxf'));
+  await page.waitForFunction(() => window.hawserDesk.current().includes('tunnel.dxf'));
+  await settled(page);
+  // the centre line and two walls, which are 5 m apart and 30 m long
+  await page.waitForFunction(() => document.querySelectorAll('.plan .under').length === 3);
+  const shown = () =>
+    page.evaluate(() => {
+      const spots = (path) =>
+        path
+          .getAttribute('d')
+          .slice(1)
+          .split('L')
+          .map((pair) => pair.split(' ').map(Number));
+      const [route] = [...document.querySelectorAll('.plan .route')].map(spots);
+      const [centre, ...walls] = [...document.querySelectorAll('.plan .under')].map(spots);
+      const off = Math.max(...centre.map(([x, y]) => Math.min(...route.map(([rx, ry]) => Math.hypot(x - rx, y - ry)))));
+      const long = Math.hypot(...[0, 1].map((k) => walls[0].at(-1)[k] - walls[0][0][k]));
+      const apart = Math.hypot(...[0, 1].map((k) => walls[0][0][k] - walls[1][0][k]));
+      return { off, shape: apart / long };
+    });
+  const first = await shown();
+  assert.ok(first.off < 1 && Math.abs(first.shape - 5 / 30) < 0.01, JSON.stringify(first));
+  await page.click('#tab-route');
+  await page.getByRole('button', { name: 'Write the line of the file into the case' }).click();
+  await page.waitForFunction(() => window.hawserDesk.current().includes('plan:'));
+  await settled(page);
+  const then = await shown();
+  assert.ok(then.off < 1, JSON.stringify(then));
+  await page.click('#new');
+  await page.getByRole('button', { name: 'A cable in a duct' }).click();
+  await settled(page);
+  assert.equal(await page.locator('.plan .under').count(), 0);
+  await close();
+});

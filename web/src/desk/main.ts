@@ -112,6 +112,8 @@ const current = (): string => view.state.doc.toString();
 function take(doc: string, as: string): void {
   eol = doc.includes('\r\n') ? '\r\n' : '\n';
   name = as;
+  under = '';
+  plan.lay([]);
   view.setState(state(doc));
   saved = current();
   title();
@@ -181,6 +183,19 @@ function preview(words: string | null): void {
   ghost = words;
   if (words === null) draw(along, true);
   else if (ready) askAlong(words);
+}
+
+/** The file whose lines lie under the plan, with its units; it stays when its line is written into the case. */
+let under = '';
+async function lay(): Promise<void> {
+  const file = writtenAt(current(), ['route', 'file']);
+  if (file === undefined || !engine) return;
+  const units = writtenAt(current(), ['route', 'units']) ?? '';
+  const wanted = `${file} ${units}`;
+  if (wanted === under) return;
+  under = wanted;
+  const lines = await engine.lines(file, units).catch(() => []);
+  if (under === wanted) plan.lay(lines);
 }
 
 function draw(what: Along | undefined, still: boolean): void {
@@ -321,6 +336,7 @@ function answered(): void {
   if (left.shown === 'duct') catalogue.cross();
   if (left.shown === 'equipment' && !part('equipment').contains(document.activeElement)) equipment.show();
   markPlace(place.at);
+  void lay();
   void begin.draw();
 }
 
@@ -328,7 +344,8 @@ function answered(): void {
 const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
 
 /** A sentence of the engine without its verdict, which stands before it. */
-const withoutWord = (sentence: string): string => sentence.replace(/^[A-Z ]+: /, '');
+const withoutWord = (sentence: string): string =>
+  sentence.replace(/^[A-Z ]+: (.)/, (_, first: string) => first.toUpperCase());
 
 async function showAnswer(whole: Theory, mine: number): Promise<void> {
   const chains = Object.entries(whole.theory ?? { '': whole });

@@ -83,6 +83,7 @@ export class Plan {
   private pan: { from: Spot; middle: Spot } | null = null;
   private shown: Along | undefined; // also that of a drag
   private still: Along | undefined; // that of the text
+  private under: Spot[][] = []; // lines of the drawing that the route came from
 
   constructor(
     private readonly desk: Desk,
@@ -140,6 +141,12 @@ export class Plan {
   show(along: Along | undefined, still = true): void {
     this.shown = along;
     if (still) this.still = along;
+    this.redraw();
+  }
+
+  /** Lines that lie under the route, in the case's coordinates. */
+  lay(under: Spot[][]): void {
+    this.under = under;
     this.redraw();
   }
 
@@ -233,7 +240,19 @@ export class Plan {
       return;
     }
     if (this.fitted && !this.drags.active) this.fit();
-    const parts: SVGElement[] = [this.ruler(), ...lines(along, (spot) => this.pixel(spot))];
+    const under = this.under.map((line) =>
+      svg('path', {
+        class: 'under',
+        d: `M${line
+          .map((spot) =>
+            this.pixel(spot)
+              .map((v) => v.toFixed(1))
+              .join(' '),
+          )
+          .join('L')}`,
+      }),
+    );
+    const parts: SVGElement[] = [...under, this.ruler(), ...lines(along, (spot) => this.pixel(spot))];
     const stands = along.stands.equipment.map((one) => stand(one, this.pixel([one.x_m, one.y_m]), this.desk.us()));
     parts.push(...stands, ...this.names(along), this.arrow(along));
     const shown: Handle[] = this.drags.active || !this.still ? [] : handles(this.desk.text(), this.still);
