@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
-import { assertSame, desk, read, settled, textOf } from './desk.mjs';
+import { assertSame, desk, differing, read, settled, textOf } from './desk.mjs';
 
 const hawser = process.argv[2];
 after(stop);
@@ -162,5 +162,60 @@ test('the drawing that the route came from lies under the plan, also when its li
   await page.getByRole('button', { name: 'A cable in a duct' }).click();
   await settled(page);
   assert.equal(await page.locator('.plan .under').count(), 0);
+  await close();
+});
+
+test('a plan with clothoids has handles on the line up to its end; clothoids keep to the radius of their arc', async () => {
+  const { page, close } = await desk();
+  const plan = [
+    'route:',
+    '  heading: 25 deg',
+    '  plan:',
+    '    - {line: 30 m}',
+    '    - {clothoid: 8 m, end_radius: 20 m, turn: left}   # in',
+    '    - {arc: 22 m, radius: 20 m, turn: left}',
+    '    - {clothoid: 8 m, start_radius: 20 m, turn: left}',
+    '    - {line: 26 m}',
+    '    - {clothoid: 9 m, start_radius: 40 m, end_radius: 15 m, turn: right}',
+    '    - {arc: 14 m, radius: 15 m, turn: right}',
+    '    - {line: 24 m}',
+    '',
+  ].join('\n');
+  const text = read('docs/tutorial/duct.yaml')
+    .replace(/chain:\n.*\n/, '')
+    .replace(/route:\n( .*\n)+/, plan);
+  await page.evaluate((words) => window.hawserDesk.open(words), text);
+  await settled(page);
+  assert.notEqual(await page.textContent('#verdict'), 'NOT A CASE YET', await page.textContent('#words'));
+  const off = await page.evaluate(() => {
+    const { x_m, y_m, pieces } = window.hawserDesk.along();
+    const path = document.querySelector('.plan .route').getAttribute('d').slice(1).split('L');
+    const drawn = path.map((pair) => pair.split(' ').map(Number));
+    const scale = (drawn.at(-1)[0] - drawn[0][0]) / (x_m.at(-1) - x_m[0]);
+    const pixel = ([x, y]) => [drawn[0][0] + scale * (x - x_m[0]), drawn[0][1] - scale * (y - y_m[0])];
+    // lines and clothoids end where these pieces begin, the last one at the route's end
+    const ends = [...[1, 2, 4, 5, 6].map((k) => pieces[k].start), [x_m.at(-1), y_m.at(-1)]].map(pixel);
+    const spots = [...document.querySelectorAll('.plan .handle.length')].map((one) =>
+      /translate\(([-\d.]+) ([-\d.]+)\)/.exec(one.getAttribute('transform')).slice(1).map(Number),
+    );
+    return { n: spots.length, far: Math.max(...spots.map(([x, y], i) => Math.hypot(ends[i][0] - x, ends[i][1] - y))) };
+  });
+  assert.ok(off.n === 6 && off.far < 0.3, JSON.stringify(off)); // the drawing has tenths of a pixel
+  const press = async (name) => {
+    await page.getByRole('slider', { name }).focus();
+    await page.keyboard.press('ArrowUp');
+    await settled(page);
+    return differing(text, await textOf(page));
+  };
+  assert.deepEqual(await press(/^piece 2: length/), ['- {clothoid: 8.1 m, end_radius: 20 m, turn: left}   # in']);
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.deepEqual(await press(/^piece 3: radius/), [
+    '- {clothoid: 8 m, end_radius: 20.1 m, turn: left}   # in',
+    '- {arc: 22.11 m, radius: 20.1 m, turn: left}',
+    '- {clothoid: 8 m, start_radius: 20.1 m, turn: left}',
+  ]);
+  await page.keyboard.press('Control+z');
+  assert.equal(await textOf(page), text);
   await close();
 });
