@@ -13,9 +13,11 @@ export const settled = (page) =>
       window.hawserDesk.idle(),
   );
 
-export async function desk(options) {
+/** The desk with the example that is on it at first; `start`: the screen of examples stays. */
+export async function desk({ start = false, ...options } = {}) {
   const opened = await openFile(join(ROOT, 'web/dist/desk.html'), options, settled);
   opened.page.on('dialog', (dialog) => dialog.accept());
+  if (!start) await opened.page.keyboard.press('Escape');
   return opened;
 }
 

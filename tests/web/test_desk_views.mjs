@@ -194,6 +194,7 @@ test('units and language are remembered; the address and the case choose a langu
   assert.equal(await fresh.page.evaluate(() => document.documentElement.lang), 'en');
   const given = duct.replace('cables:', 'job: {language: de}\ncables:');
   await fresh.page.setInputFiles('#file', { name: 'de.yaml', mimeType: 'text/yaml', buffer: Buffer.from(given) });
+  await fresh.page.waitForFunction(() => document.getElementById('name').textContent === 'de.yaml');
   await settled(fresh.page);
   assert.equal(await fresh.page.evaluate(() => document.documentElement.lang), 'de');
   await fresh.close();

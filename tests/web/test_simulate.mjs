@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
-import { desk, put, read } from './desk.mjs';
+import { desk, put, read, settled } from './desk.mjs';
 
 const hawser = process.argv[2];
 after(stop);
@@ -87,8 +87,50 @@ test('a long run shows force and view while it is computed, the desk can be used
   t.diagnostic(
     `from the click on Stop to the word on the screen: ${ms.toFixed(0)} ms; half a second is what is promised`,
   );
+  assert.match(
+    await status(page),
+    /^Stopped at [\d.]+ s of 30 s\. Until then the winch pulled [\d.]+\sk?N at most, at [\d.]+ s\. .* no verdict/,
+  );
   assert.equal(await page.getByRole('button', { name: 'Save the report' }).isDisabled(), true);
   assert.equal(await live.locator('#figure-live').count(), 1);
   assert.deepEqual(heard, []);
   await close();
+});
+
+test('Simulate by day and by night, on a narrow screen and in three languages, before a run and behind it (axe-core)', async () => {
+  const axe = readFileSync(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8');
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, heard, close } = await desk({ colorScheme, viewport: { width: 390, height: 844 } });
+    await page.evaluate(axe);
+    await put(page, read('cases/huangjiahu.yaml'));
+    const good = async (when) => {
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= 390, `${when}: ${wide} px wide`);
+      const found = await page.evaluate(() => window.axe.run(document, { iframes: false }));
+      const serious = found.violations.filter((one) => ['serious', 'critical'].includes(one.impact));
+      assert.deepEqual(
+        serious.map((one) => `${when}, ${colorScheme}: ${one.id} ${one.nodes[0].html.slice(0, 120)}`),
+        [],
+      );
+    };
+    await page.click('#simulate');
+    await page.waitForFunction(() => document.getElementById('run-estimate').textContent !== '');
+    assert.equal(await page.locator('#run-page').isVisible(), false);
+    await good('before');
+    await page.getByRole('button', { name: 'Start', exact: true }).click();
+    await reported(page, 60000);
+    await good('behind');
+    const box = await page.locator('#run-page').boundingBox();
+    assert.ok(box.height > 600, `the report is ${box.height} px high`);
+    for (const language of ['zh', 'de']) {
+      await page.selectOption('#language', language);
+      await settled(page);
+      await page.click('#simulate');
+      await page.waitForFunction(() => document.getElementById('run-estimate').textContent !== '');
+      await good(language);
+    }
+    assert.deepEqual(await page.evaluate(() => window.hawserDesk.withoutRow()), []);
+    assert.deepEqual(heard, []);
+    await close();
+  }
 });

@@ -133,6 +133,52 @@ char *desk_section(const char *file, const char *name, const char *layer)
     return desk_answered(status, status ? NULL : file_taken(SECTION), &err);
 }
 
+/* Lines of a drawing that lie under the plan, and places along each of them. */
+enum { LINES = 300, LINE_PLACES = 121 };
+
+/* One line's places in plan, x and y, m, as the file has them, behind what is in `list`. */
+static hawser_status line_places(hawser_routes *routes, int i, json_t *list, hawser_error *err)
+{
+    double length;
+    hawser_route_figures figures;
+    hawser_route_place first, at;
+    hawser_status status = hawser_routes_length(routes, i, &length, err);
+    if (!status) status = hawser_routes_figures(routes, i, &figures, err);
+    if (!status) status = hawser_routes_at(routes, i, 0, &first, err);
+    if (status) return status;
+    json_t *const places = json_array();
+    for (int k = 0; k < LINE_PLACES && !status; ++k) {
+        status = hawser_routes_at(routes, i, length * k / (LINE_PLACES - 1), &at, err);
+        for (int axis = 0; axis < 2; ++axis) {
+            const double value = figures.start_m[axis] + (at.position_m[axis] - first.position_m[axis]);
+            json_array_append_new(places, json_real(value));
+        }
+    }
+    json_array_append_new(list, places);
+    return status;
+}
+
+/* The lines of a file in the folder in plan: a JSON list of lists x, y, x, y ... in m. Lines that cannot be routes are
+ * left out. */
+char *desk_lines(const char *name, const char *units)
+{
+    char path[300];
+    hawser_error err = {0};
+    hawser_routes *routes = NULL;
+    hawser_route_options options = hawser_route_defaults();
+    if (*units) options.units = units;
+    snprintf(path, sizeof path, "%s/%s", FOLDER, name);
+    hawser_status status = hawser_routes_read(path, &options, &routes, &err);
+    json_t *const list = json_array();
+    const int n = status ? 0 : hawser_routes_count(routes);
+    for (int i = 0; i < n && i < LINES && status != HAWSER_ERR_MEMORY; ++i) status = line_places(routes, i, list, &err);
+    if (n > 0 && status != HAWSER_ERR_MEMORY) status = HAWSER_OK;
+    char *const text = json_dumps(list, JSON_COMPACT | JSON_REAL_PRECISION(12));
+    json_decref(list);
+    hawser_routes_free(routes);
+    return desk_answered(status, text, &err);
+}
+
 /* The lines of a file in the folder, as JSON. */
 char *desk_route(const char *name)
 {

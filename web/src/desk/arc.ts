@@ -50,3 +50,20 @@ export function arcOf(begin: Spot, ahead: Spot, side: number, radius: number, an
     },
   };
 }
+
+const STEPS = 64; // even: Simpson's rule
+
+/** Where a clothoid leads: curvature grows evenly from k0 to k1, 1/m, to the left positive; direction turns by k0 s + (k1 - k0) s^2 / 2 L. */
+export function clothoidOf(
+  begin: Spot,
+  ahead: Spot,
+  length: number,
+  k0: number,
+  k1: number,
+): { end: Spot; exit: Spot } {
+  const direction = (share: number): Spot =>
+    turned(ahead, (length * (k0 * share + ((k1 - k0) * share * share) / 2)) / RAD);
+  let sum: Spot = [0, 0];
+  for (let i = 0; i <= STEPS; i++) sum = add(sum, direction(i / STEPS), i === 0 || i === STEPS ? 1 : i % 2 ? 4 : 2);
+  return { end: add(begin, sum, length / (3 * STEPS)), exit: direction(1) };
+}

@@ -100,6 +100,27 @@ export function about(top: Schema, path: Path): string {
   return [info, detail(here)].filter(Boolean).join(' \u2013 ');
 }
 
+const LISTED = 20; // items of a list that are looked into
+
+/** Paths of values that a text does not have, in its maps and in those that could stand in them. */
+export function absent(top: Schema, text: string): string[] {
+  const found: string[] = [];
+  const walk = (schemas: Schema[], node: unknown, path: Path): void => {
+    if (isSeq(node)) node.items.slice(0, LISTED).forEach((item, i) => walk(below(schemas, i, top), item, [...path, i]));
+    if (isSeq(node) || isScalar(node)) return;
+    const own = isMap(node) ? node.items.map((pair) => String(isScalar(pair.key) ? pair.key.value : '')) : [];
+    for (const name of new Set([...own, ...schemas.flatMap((one) => Object.keys(one.properties ?? {}))])) {
+      const here = below(schemas, name, top);
+      const map = here.some((one) => one.properties);
+      if (own.includes(name)) walk(here, isMap(node) ? node.get(name, true) : undefined, [...path, name]);
+      else if (map && path.length < 2) walk(here, undefined, [...path, name]);
+      else if (!map && !here.some((one) => one.items)) found.push([...path, name].join('.'));
+    }
+  };
+  walk(forms(top, top), parsed(text).contents, []);
+  return found;
+}
+
 /** All keys that a case may hold, by section, with what the schema says of them. */
 export function keys(top: Schema): { key: string; words: string }[] {
   const sections: [string, Schema][] = [['', top], ...Object.entries(top.$defs ?? {})];

@@ -1,4 +1,5 @@
 /** The engine as the desk sees it: texts in, texts out. Behind it is a worker with WebAssembly; a local server could take the same calls. */
+import type { Spot } from './arc';
 
 /** What the library says when something is wrong; `line` counts from 1, 0: none. */
 export interface Fault {
@@ -130,7 +131,18 @@ export interface Duct {
 }
 
 export type Call =
-  'theory' | 'answer' | 'page' | 'schema' | 'route' | 'section' | 'along' | 'library' | 'words' | 'cost' | 'run';
+  | 'theory'
+  | 'answer'
+  | 'page'
+  | 'schema'
+  | 'route'
+  | 'lines'
+  | 'section'
+  | 'along'
+  | 'library'
+  | 'words'
+  | 'cost'
+  | 'run';
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -246,6 +258,12 @@ export class Engine {
       .replace(/(\d\.\d*?)0+(?= (?:m|deg)\b)/g, '$1')
       .replace(/\.(?= (?:m|deg)\b)/g, '')
       .trimEnd();
+  }
+
+  /** All lines of a file in plan, m, as the file has them; `units`: in place of what the file says, or "". */
+  async lines(file: string, units: string): Promise<Spot[][]> {
+    const found = JSON.parse(await this.call('lines', file, units)) as number[][];
+    return found.map((line) => line.flatMap((x, i): Spot[] => (i % 2 ? [] : [[x, line[i + 1] ?? 0]])));
   }
 
   async route(name: string): Promise<RouteLine[]> {

@@ -1,7 +1,7 @@
 /** What stands along the route: rollers by rule or one by one, pits and machines; with the load that theory expects of each. */
 import { isMap, isSeq } from 'yaml';
 import { el } from '../dom';
-import { plain, quantity, type Desk } from './desk';
+import { plain, quantity, read, type Desk } from './desk';
 import { appendItem, nodeAt, parsed, removeItem, type Path } from './splice';
 import { t } from './words';
 
@@ -91,7 +91,18 @@ export class Equipment {
       add('Add a pit', ['theory', 'pits'], () => `{at: ${place.value()}, back: 500 N}`),
       push.element,
       add('Add a machine', ['theory', 'machines'], () => `{at: ${place.value()}, push: ${push.value()}}`),
+      add('Add a conveyor', ['conveyors'], () => this.conveyor(place.value(), push.value())),
     );
+  }
+
+  /** As long as there is room between two rollers; its grip, twice the clamp by a friction of 0.3, is 1.2 times what its drive gives. */
+  private conveyor(at: string, push: string): string {
+    const from = read(at)?.value ?? 0;
+    const clamp = read(push)?.value ?? NaN;
+    const list = nodeAt(parsed(this.desk.text()), ['conveyors']);
+    const name = `${t('conveyor')} ${isSeq(list) ? list.items.length + 1 : 1}`;
+    const to = plain(from + 1.6, 3);
+    return `{name: ${name}, from: ${at}, to: ${to} m, clamp: ${plain(2 * clamp, 0)} N, limit: ${push}, mu: 0.3, factor: 1.02}`;
   }
 
   private written(): HTMLElement {

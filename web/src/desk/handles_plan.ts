@@ -1,6 +1,6 @@
 /** Handles of a route that is a plan with a profile, as surveyors and files have it: lines, arcs, corners of the profile. */
 import { isMap, isSeq } from 'yaml';
-import { add, arcOf, dot, minus, RAD, turned, type Spot } from './arc';
+import { add, arcOf, clothoidOf, dot, minus, RAD, turned, type Spot } from './arc';
 import { plain, read, snapped, together, writtenAt } from './desk';
 import type { Along } from './engine';
 import { LEAST_RADIUS, nearest, sample, single, type Found, type Handle } from './handles';
@@ -10,7 +10,14 @@ import { t } from './words';
 const LIST: Path = ['route', 'plan'];
 const valueAt = (text: string, path: Path): number | undefined => read(writtenAt(text, path) ?? '')?.value;
 
-/** Lines and arcs up to the first clothoid, behind which the place is the engine's alone. */
+/** The curvature at an end of a clothoid, 1/m; undefined: what is written there is not a length that is known here. */
+function curvatureAt(text: string, path: Path): number | undefined {
+  if (writtenAt(text, path) === undefined) return 0; // straight there
+  const radius = valueAt(text, path);
+  return radius ? 1 / radius : undefined;
+}
+
+/** Lines, arcs and clothoids: where each ends, its length; of arcs the radius and the angle. */
 export function planned(text: string, along: Along): Found {
   const list = nodeAt(parsed(text), LIST);
   if (!isSeq(list)) return [];
@@ -24,6 +31,9 @@ export function planned(text: string, along: Along): Found {
     const line = valueAt(text, [...path, 'line']);
     const length = valueAt(text, [...path, 'arc']);
     const radius = valueAt(text, [...path, 'radius']);
+    const clothoid = valueAt(text, [...path, 'clothoid']);
+    const side = writtenAt(text, [...path, 'turn']) === 'right' ? -1 : 1;
+    const [k0, k1] = ['start_radius', 'end_radius'].map((key) => curvatureAt(text, [...path, key]));
     if (line !== undefined) {
       const [begin, way] = [at, ahead];
       at = add(at, ahead, line);
@@ -45,18 +55,37 @@ export function planned(text: string, along: Along): Found {
         ),
       );
     } else if (length !== undefined && radius) {
-      const side = writtenAt(text, [...path, 'turn']) === 'right' ? -1 : 1;
       const angle = length / radius / RAD;
       const arc = arcOf(at, ahead, side, radius, angle);
       const next = valueAt(text, [...LIST, i + 1, 'line']) ?? 0;
       found.push(...bend(path, name, arc, radius, angle, next, along, writtenAt(text, [...path, 'radius']) ?? ''));
       [at, ahead] = [arc.end, arc.exit];
+    } else if (clothoid !== undefined && k0 !== undefined && k1 !== undefined) {
+      const { end, exit } = clothoidOf(at, ahead, clothoid, side * k0, side * k1);
+      found.push(
+        single(
+          {
+            kind: 'length',
+            view: 'plan',
+            label: `${name}: ${t('length')}`,
+            at: end,
+            s: nearest(along, end),
+            path: [...path, 'clothoid'],
+            unit: 'm',
+            amount: (to) => dot(minus(to, end), exit),
+          },
+          text,
+          0.1,
+          1e6,
+        ),
+      );
+      [at, ahead] = [end, exit];
     } else return found;
   }
   return found;
 }
 
-/** Of an arc, whose length is written: the radius keeps the angle, the angle the radius. */
+/** Of an arc, whose length is written: the radius keeps the angle, the angle the radius. Clothoids beside it that have its radius keep it. */
 function bend(
   path: Path,
   name: string,
@@ -69,10 +98,20 @@ function bend(
 ): Handle[] {
   const metres = (value: number): string => `${plain(value, 3)} m`;
   const round = (value: number): number => read(snapped(written, Math.max(LEAST_RADIUS, value), 'm'))?.value ?? value;
+  const index = Number(path.at(-1));
+  const beside: Path[] = [
+    [...LIST, index - 1, 'end_radius'],
+    [...LIST, index + 1, 'start_radius'],
+  ];
   const setRadius = (text: string, value: number): Change | undefined =>
     together(text, [
       (now) => setValue(now, [...path, 'arc'], metres(round(value) * angle * RAD)),
       (now) => setValue(now, [...path, 'radius'], snapped(written, round(value), 'm')),
+      ...beside
+        .filter(
+          (one) => Math.abs((valueAt(text, one) ?? 0) / (valueAt(text, [...path, 'radius']) ?? radius) - 1) < 1e-6,
+        )
+        .map((one) => (now: string) => setValue(now, one, snapped(writtenAt(text, one) ?? '', round(value), 'm'))),
     ]);
   const setAngle = (text: string, value: number): Change | undefined =>
     setValue(text, [...path, 'arc'], metres(radius * Math.min(360, Math.max(1, Math.round(value))) * RAD));

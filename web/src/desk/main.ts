@@ -25,6 +25,7 @@ import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
 import { Simulation } from './simulate';
 import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
+import { Start } from './start';
 import { Strips } from './strips';
 import { Tabs } from './tabs';
 import { valuesView } from './values';
@@ -40,6 +41,10 @@ const EXAMPLES: [string, string][] = [
   ['Rollers and their loads', limitsText],
   ['The tunnel of the paper', rollersText],
 ];
+interface Draft {
+  name: string;
+  text: string;
+}
 const DRAFT = 'hawser-desk-draft';
 const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|shp)$/i;
 
@@ -51,7 +56,7 @@ let us = false;
 let simulation: Simulation | undefined;
 let saved = '';
 let eol = '\n'; // how the lines of the case's file end
-let given: { name: string; text: string } | null = null;
+let given: Draft | null = null;
 let name = 'case.yaml';
 
 // ------------------------------------------------------------------------------------------------------------ the text
@@ -107,6 +112,8 @@ const current = (): string => view.state.doc.toString();
 function take(doc: string, as: string): void {
   eol = doc.includes('\r\n') ? '\r\n' : '\n';
   name = as;
+  under = '';
+  plan.lay([]);
   view.setState(state(doc));
   saved = current();
   title();
@@ -178,6 +185,19 @@ function preview(words: string | null): void {
   else if (ready) askAlong(words);
 }
 
+/** The file whose lines lie under the plan, with its units; it stays when its line is written into the case. */
+let under = '';
+async function lay(): Promise<void> {
+  const file = writtenAt(current(), ['route', 'file']);
+  if (file === undefined || !engine) return;
+  const units = writtenAt(current(), ['route', 'units']) ?? '';
+  const wanted = `${file} ${units}`;
+  if (wanted === under) return;
+  under = wanted;
+  const lines = await engine.lines(file, units).catch(() => []);
+  if (under === wanted) plan.lay(lines);
+}
+
 function draw(what: Along | undefined, still: boolean): void {
   if (still && (plan.dragging || strips.dragging)) return;
   plan.show(what, still);
@@ -192,6 +212,13 @@ const variants = new Variants(theDesk, word, open);
 const catalogue = new Catalogue(theDesk, () => page);
 const equipment = new Equipment(theDesk);
 const help = new Help(() => schema);
+const begin = new Start({
+  engine: theDesk.engine,
+  examples: EXAMPLES,
+  drafts,
+  open,
+  choose: () => part('file').click(),
+});
 part('plan').append(plan.root, strips.root);
 part('whatif').append(whatIf.root);
 part('variants').append(variants.root);
@@ -309,13 +336,16 @@ function answered(): void {
   if (left.shown === 'duct') catalogue.cross();
   if (left.shown === 'equipment' && !part('equipment').contains(document.activeElement)) equipment.show();
   markPlace(place.at);
+  void lay();
+  void begin.draw();
 }
 
 /** From the best verdict to the worst. */
 const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
 
 /** A sentence of the engine without its verdict, which stands before it. */
-const withoutWord = (sentence: string): string => sentence.replace(/^[A-Z ]+: /, '');
+const withoutWord = (sentence: string): string =>
+  sentence.replace(/^[A-Z ]+: (.)/, (_, first: string) => first.toUpperCase());
 
 async function showAnswer(whole: Theory, mine: number): Promise<void> {
   const chains = Object.entries(whole.theory ?? { '': whole });
@@ -410,6 +440,7 @@ function download(as: string, content: string, type: string): void {
 }
 
 async function openFile(file: File): Promise<void> {
+  begin.close();
   const bytes = new Uint8Array(await file.arrayBuffer());
   const named = filesOf(current()).filter((path) => path.split('/').pop() === file.name);
   if (named.length) {
@@ -446,12 +477,7 @@ function wire(): void {
     force: (newtons) => quantity(newtons, 'N', us),
     download,
   });
-  const menu = part<HTMLSelectElement>('examples');
-  menu.addEventListener('change', () => {
-    const example = EXAMPLES[Number(menu.value)];
-    menu.value = '';
-    if (example) open(example[1], 'case.yaml');
-  });
+  part('new').addEventListener('click', () => begin.show());
   const input = part<HTMLInputElement>('file');
   part('open').addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
@@ -562,11 +588,7 @@ function speak(language: Language): void {
   part<HTMLSelectElement>('language').value = language;
   part('page').title = t('The calculation');
   part('wipe').title = t('What you write is kept in this browser until you do this');
-  const menu = part<HTMLSelectElement>('examples');
-  menu.replaceChildren(
-    new Option(t('New from an example'), ''),
-    ...EXAMPLES.map(([label], i) => new Option(t(label), String(i))),
-  );
+  begin.words();
   view.contentDOM.setAttribute('aria-label', t('The case as text'));
   simulation?.words();
   say('');
@@ -574,19 +596,24 @@ function speak(language: Language): void {
   draw(along, true);
 }
 
-function draft(): { name: string; text: string } | undefined {
+/** What the browser has kept, by its keys. */
+function drafts(): Map<string, Draft> {
+  const found = new Map<string, Draft>();
   try {
-    return JSON.parse(localStorage.getItem(draftKey()) ?? 'null') ?? undefined;
+    for (const key of Object.keys(localStorage))
+      if (key === DRAFT || key.startsWith(`${DRAFT}:`))
+        found.set(key, JSON.parse(localStorage.getItem(key) ?? '') as Draft);
   } catch {
-    return undefined;
+    // as above
   }
+  return found;
 }
 
 async function start(): Promise<void> {
   wire();
   settings();
   given = JSON.parse(text('case')) as typeof given; // `hawser desk CASE` has put it there
-  const before = draft();
+  const before = drafts().get(draftKey());
   const first = given ?? { name: 'case.yaml', text: ductText };
   take(first.text, first.name);
   const later = before?.text && before.text !== current();
@@ -596,6 +623,7 @@ async function start(): Promise<void> {
     title();
   }
   speak(languageOf());
+  if (!given && !before) begin.show();
   say(t('The engine is starting.'));
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));

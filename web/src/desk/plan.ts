@@ -3,12 +3,75 @@ import { el, svg } from '../dom';
 import { ticks } from '../figure/ranges';
 import { quantity, type Desk } from './desk';
 import { Drags } from './drag';
-import type { Along } from './engine';
+import type { Along, Stand } from './engine';
 import { handles, nearest, spotAt, type Handle, type Spot } from './handles';
 import { t } from './words';
 
 const HIGH = 270;
 const NAMED = 24;
+
+/** What is to be seen: px a metre, and the place in the middle. */
+interface Window {
+  scale: number;
+  middle: Spot;
+}
+
+/** Everything of a route, with so much room around it. */
+function whole(along: Along, wide: number, high: number): Window {
+  const [left, right] = [Math.min(...along.x_m), Math.max(...along.x_m)];
+  const [low, up] = [Math.min(...along.y_m), Math.max(...along.y_m)];
+  const scale = Math.min(wide / Math.max(right - left, 1), high / Math.max(up - low, 1));
+  return { scale, middle: [(left + right) / 2, (low + up) / 2] };
+}
+
+/** The line, its bends stronger. */
+function lines(along: Along, pixel: (spot: Spot) => Spot): SVGElement[] {
+  const path = (from: number, to: number): string =>
+    along.s_m
+      .map((s, i): [number, Spot] => [s, [along.x_m[i] ?? 0, along.y_m[i] ?? 0]])
+      .filter(([s]) => s >= from && s <= to)
+      .map(([, spot]) =>
+        pixel(spot)
+          .map((v) => v.toFixed(1))
+          .join(' '),
+      )
+      .join('L');
+  const bends = along.pieces
+    .filter((piece) => piece.kind !== 'straight' && piece.length_m > 0)
+    .map((piece) => path(piece.s_m - 1e-6, piece.s_m + piece.length_m + 1e-6))
+    .filter((d) => d.includes('L'));
+  return [
+    svg('path', { class: 'route', d: `M${path(0, Infinity)}` }),
+    ...bends.map((d) => svg('path', { class: 'route bend', d: `M${d}` })),
+  ];
+}
+
+function stand(one: Stand, [x, y]: Spot, us: boolean): SVGElement {
+  const over = one.margin_pct !== null && one.margin_pct < 0;
+  const small = one.kind === 'roller' || one.kind === 'guide' || one.kind === 'hold-down';
+  return svg(
+    'path',
+    {
+      class: `stand ${one.kind}${over ? ' over' : ''}`,
+      transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
+      d: small ? 'M-2 0H2M0 -2V2' : 'M-5 -5H5V5H-5z',
+    },
+    svg('title', {}, `${one.name}: ${quantity(one.load_N, 'N', us)}`),
+  );
+}
+
+/** A small picture of a plan, which nobody works with. */
+export function picture(along: Along, wide: number, high: number): SVGElement {
+  const { scale, middle } = whole(along, wide - 24, high - 24);
+  const pixel = ([x, y]: Spot): Spot => [wide / 2 + (x - middle[0]) * scale, high / 2 - (y - middle[1]) * scale];
+  const stands = along.stands.equipment.map((one) => stand(one, pixel([one.x_m, one.y_m]), false));
+  return svg(
+    'svg',
+    { class: 'picture', viewBox: `0 0 ${wide} ${high}`, 'aria-hidden': 'true' },
+    ...lines(along, pixel),
+    ...stands,
+  );
+}
 
 export class Plan {
   readonly root: HTMLElement;
@@ -20,6 +83,7 @@ export class Plan {
   private pan: { from: Spot; middle: Spot } | null = null;
   private shown: Along | undefined; // also that of a drag
   private still: Along | undefined; // that of the text
+  private under: Spot[][] = []; // lines of the drawing that the route came from
 
   constructor(
     private readonly desk: Desk,
@@ -80,6 +144,12 @@ export class Plan {
     this.redraw();
   }
 
+  /** Lines that lie under the route, in the case's coordinates. */
+  lay(under: Spot[][]): void {
+    this.under = under;
+    this.redraw();
+  }
+
   private wide(): number {
     return Math.max(240, this.root.clientWidth);
   }
@@ -101,11 +171,9 @@ export class Plan {
   private fit(): void {
     const along = this.still;
     if (!along) return;
-    const [left, right] = [Math.min(...along.x_m), Math.max(...along.x_m)];
-    const [low, high] = [Math.min(...along.y_m), Math.max(...along.y_m)];
     // the buttons are above, names beside and below
-    this.scale = Math.min((this.wide() - 90) / Math.max(right - left, 1), (HIGH - 104) / Math.max(high - low, 1));
-    this.middle = [(left + right) / 2, (low + high) / 2 + 10 / this.scale];
+    ({ scale: this.scale, middle: this.middle } = whole(along, this.wide() - 90, HIGH - 104));
+    this.middle[1] += 10 / this.scale;
   }
 
   private all(): void {
@@ -172,23 +240,21 @@ export class Plan {
       return;
     }
     if (this.fitted && !this.drags.active) this.fit();
-    const path = (from: number, to: number): string =>
-      along.s_m
-        .map((s, i) => ({ s, x: along.x_m[i] ?? 0, y: along.y_m[i] ?? 0 }))
-        .filter(({ s }) => s >= from && s <= to)
-        .map(({ x, y }) =>
-          this.pixel([x, y])
-            .map((v) => v.toFixed(1))
-            .join(' '),
-        )
-        .join('L');
-    const parts: SVGElement[] = [this.ruler(), svg('path', { class: 'route', d: `M${path(0, Infinity)}` })];
-    for (const piece of along.pieces)
-      if (piece.kind !== 'straight' && piece.length_m > 0) {
-        const d = path(piece.s_m - 1e-6, piece.s_m + piece.length_m + 1e-6);
-        if (d.includes('L')) parts.push(svg('path', { class: 'route bend', d: `M${d}` }));
-      }
-    parts.push(...this.stands(along), ...this.names(along), this.arrow(along));
+    const under = this.under.map((line) =>
+      svg('path', {
+        class: 'under',
+        d: `M${line
+          .map((spot) =>
+            this.pixel(spot)
+              .map((v) => v.toFixed(1))
+              .join(' '),
+          )
+          .join('L')}`,
+      }),
+    );
+    const parts: SVGElement[] = [...under, this.ruler(), ...lines(along, (spot) => this.pixel(spot))];
+    const stands = along.stands.equipment.map((one) => stand(one, this.pixel([one.x_m, one.y_m]), this.desk.us()));
+    parts.push(...stands, ...this.names(along), this.arrow(along));
     const shown: Handle[] = this.drags.active || !this.still ? [] : handles(this.desk.text(), this.still);
     parts.push(this.pointer, ...this.drags.draw(shown.filter((one) => one.view === 'plan')));
     this.drawing.replaceChildren(...parts);
@@ -206,25 +272,6 @@ export class Plan {
       svg('path', { d: `M0 -5V0H${px.toFixed(1)}V-5` }),
       svg('text', { x: px + 6, y: 2 }, quantity(size, 'm', this.desk.us(), 3)),
     );
-  }
-
-  private stands(along: Along): SVGElement[] {
-    return along.stands.equipment.map((one) => {
-      const [x, y] = this.pixel([one.x_m, one.y_m]);
-      const over = one.margin_pct !== null && one.margin_pct < 0;
-      return svg(
-        'path',
-        {
-          class: `stand ${one.kind}${over ? ' over' : ''}`,
-          transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
-          d:
-            one.kind === 'roller' || one.kind === 'guide' || one.kind === 'hold-down'
-              ? 'M-2 0H2M0 -2V2'
-              : 'M-5 -5H5V5H-5z',
-        },
-        svg('title', {}, `${one.name}: ${quantity(one.load_N, 'N', this.desk.us())}`),
-      );
-    });
   }
 
   private names(along: Along): SVGElement[] {

@@ -38,7 +38,7 @@ export class Simulation {
   private readonly estimate = el('p', { id: 'run-estimate' });
   private readonly stale = el('p', { id: 'run-stale' });
   private readonly bar = el('progress', { max: 1, value: 0, hidden: true });
-  private readonly frame = el('iframe', { id: 'run-page' });
+  private readonly frame = el('iframe', { id: 'run-page', hidden: true });
   private readonly startButton: HTMLButtonElement;
   private readonly stopButton: HTMLButtonElement;
   private readonly saveButton: HTMLButtonElement;
@@ -46,6 +46,8 @@ export class Simulation {
   private run: Run | null = null;
   private shows: Live | null = null;
   private last: Moment | null = null;
+  /** The moment of the largest force at the winch so far. */
+  private most: Moment | null = null;
   /** Text and name of the case that runs or has run. */
   private ran: { text: string; name: string } | null = null;
 
@@ -124,7 +126,7 @@ export class Simulation {
         said.time_s === null
           ? t('{1} segments, {2} s of the pull. How long it takes is not known before.', n, s)
           : t(
-              '{1} segments, {2} s of the pull. The program computes it in about {3}; in the browser it takes one to three times as long.',
+              '{1} segments, {2} s of the pull. The program computes it in about {3}; in the browser it takes one to five times as long.',
               n,
               s,
               seconds(said.time_s),
@@ -142,7 +144,8 @@ export class Simulation {
     this.startButton.disabled = true;
     this.stale.textContent = '';
     this.status.textContent = t('The engine is starting.');
-    this.shows = this.last = null;
+    this.shows = this.last = this.most = null;
+    this.frame.hidden = true; // what is in it is of another run
     const encoded = (id: string): Uint8Array => new TextEncoder().encode(text(id));
     const files = new Map(desk.engine()?.files ?? []);
     files.set('/web/report.js', encoded('report-script'));
@@ -164,22 +167,29 @@ export class Simulation {
     try {
       const end = await this.run.done;
       const { verdict } = JSON.parse(end.summary) as { verdict: string };
+      this.frame.hidden = false;
       this.frame.srcdoc = end.report;
       this.status.textContent = t('By the run: {1}', verdict);
       report = true;
     } catch (why) {
       this.status.textContent =
-        why instanceof Stopped
-          ? t(
-              'Stopped at {1} s. What was computed until then is below; a run that is stopped has no verdict.',
-              (this.last as Moment | null)?.time.toFixed(2) ?? '0',
-            )
-          : why instanceof EngineError
-            ? why.fault.message
-            : String(why);
+        why instanceof Stopped ? this.stopped() : why instanceof EngineError ? why.fault.message : String(why);
     }
     this.run = null;
     this.buttons(report);
+  }
+
+  /** What there is to say of a run that was stopped. */
+  private stopped(): string {
+    const { last, most } = this;
+    if (!last || !most) return t('Stopped before anything was computed.');
+    return t(
+      'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. A run that is stopped has no verdict and no report; what was computed until then is below.',
+      last.time.toFixed(2),
+      last.end.toFixed(0),
+      this.desk.force(most.force),
+      most.time.toFixed(2),
+    );
   }
 
   /** The scene is known: the page of the run goes up, and takes what comes from then on. */
@@ -195,12 +205,15 @@ export class Simulation {
       this.shows = made;
       if (this.last) made.add(this.last);
     };
+    this.frame.hidden = false;
     this.frame.srcdoc = livePage();
   }
 
   private moment(moment: Moment): void {
     const { force } = this.desk;
     const done = moment.end > 0 ? Math.min(1, moment.time / moment.end) : 0;
+    // a finer pass begins again
+    if (!this.most || moment.time < (this.last?.time ?? 0) || moment.force > this.most.force) this.most = moment;
     this.last = moment;
     this.bar.value = done;
     this.opener.textContent = t('Simulating {1} %', String(Math.floor(100 * done)));

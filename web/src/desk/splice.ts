@@ -95,6 +95,15 @@ export function setValue(text: string, path: Path, value: string, raw = false): 
   return only(text, { from: end, to: end, insert: `\n${' '.repeat(column)}${key}: ${insert}` }, set);
 }
 
+/** Writes a value at a path of keys, with the maps above it that are not there yet. */
+export function addValue(text: string, path: Path, value: string): Change | undefined {
+  let there = path.length - 1;
+  while (there > 0 && !nodeAt(parsed(text), path.slice(0, there))) there--;
+  const inner = path.slice(there + 1).reduceRight<string>((made, key) => `{${key}: ${made}}`, written(value));
+  if (there > 0 || nodeAt(parsed(text), path.slice(0, 1))) return setValue(text, path.slice(0, there + 1), inner, true);
+  return putSection(text, String(path[0]), `${path[0]}: ${inner}`);
+}
+
 /** Takes a key out of a map, with what separates it from the next; undefined: it is not there, or cannot be cut out. */
 export function removeKey(text: string, path: Path): Change | undefined {
   const map = nodeAt(parsed(text), path.slice(0, -1));
@@ -148,7 +157,8 @@ export function appendItem(text: string, path: Path, item: string): Change | und
   }
   if (node) return undefined;
   const [section, key] = path.map(String);
-  if (nodeAt(parsed(text), path.slice(0, -1))) return setValue(text, path, `[${item}]`, true);
+  if (path.length > 1 && nodeAt(parsed(text), path.slice(0, -1))) return setValue(text, path, `[${item}]`, true);
+  if (path.length === 1) return putSection(text, section ?? '', `${section}:\n  - ${item}`);
   return path.length === 2 ? putSection(text, section ?? '', `${section}:\n  ${key}:\n    - ${item}`) : undefined;
 }
 

@@ -1,7 +1,8 @@
 /** Every value of the text outside the route's pieces as a field, by section. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
-import { parsed, setValue, type Path } from './splice';
-import { about, type Schema } from './complete';
+import { el } from '../dom';
+import { addValue, parsed, pathOf, setValue, type Path } from './splice';
+import { about, absent, type Schema } from './complete';
 import type { Editing } from './desk';
 import { field } from './route';
 import { t } from './words';
@@ -57,5 +58,29 @@ export function valuesView(place: HTMLElement, editing: Editing, schema: Schema 
     );
     section.append(label);
   }
-  place.replaceChildren(...sections.values(), said);
+  place.replaceChildren(...sections.values(), ...(schema ? [adding(editing, schema, said)] : []), said);
+}
+
+/** A value that the text does not have yet: its key out of all that may stand in this case, and what it is. */
+function adding(editing: Editing, schema: Schema, said: HTMLElement): HTMLElement {
+  const text = editing.text();
+  const offered = absent(schema, text).filter((path) => !isPiece(pathOf(path)));
+  const key = el('input', { 'aria-label': t('Key'), list: 'absent', placeholder: 'limits.pull' });
+  const value = el('input', { 'aria-label': t('Value'), placeholder: '20 kN' });
+  const describe = (): void => void (said.textContent = `${key.value}: ${about(schema, pathOf(key.value)) || '–'}`);
+  key.addEventListener('input', describe);
+  const add = (): void => {
+    const [path, next] = [key.value.trim(), value.value.trim()];
+    if (path && next) editing.change(addValue(editing.text(), pathOf(path), next), path, true);
+  };
+  value.addEventListener('keydown', (event) => event.key === 'Enter' && add());
+  return el(
+    'fieldset',
+    { class: 'adding' },
+    el('legend', {}, t('Another value')),
+    el('datalist', { id: 'absent' }, ...offered.map((path) => el('option', { value: path }))),
+    key,
+    value,
+    el('button', { type: 'button', onclick: add }, t('Add')),
+  );
 }

@@ -3,6 +3,15 @@
 export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?: string])[] = [
   // the screen
   ['New from an example', '从示例新建', 'Neu aus einem Beispiel'],
+  ['New', '新建', 'Neu'],
+  ['Begin', '开始', 'Anfangen'],
+  ['Or with what you have', '或使用已有文件', 'Oder mit dem, was Sie haben'],
+  [
+    'Drop a case or a route here, or choose a file',
+    '将算例或线路文件拖放到此处，或选择文件',
+    'Rechenfall oder Trasse hier ablegen oder eine Datei wählen',
+  ],
+  ['Kept in this browser', '本浏览器保存的内容', 'In diesem Browser aufgehoben'],
   ['A cable in a duct', '管道中的一根电缆', 'Ein Kabel in einem Rohr'],
   ['Three cables in a duct', '同一管道中的三根电缆', 'Drei Kabel in einem Rohr'],
   ['Ducts with a pit between', '中间有工作井的管道', 'Rohre mit einer Grube dazwischen'],
@@ -457,6 +466,11 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     'Um wie viel mehrere Kabel in einem Rohr stärker drücken als ihr Gewicht.',
     'By how much several cables in a duct press more than their weight.',
   ],
+  ['Another value', '添加参数', 'Ein weiterer Wert'],
+  ['Key', '关键字', 'Schlüssel'],
+  ['Value', '数值', 'Wert'],
+  ['Add', '添加', 'Hinzufügen'],
+  ['Add a conveyor', '添加输送机', 'Förderer hinzufügen'],
   // simulate
   ['Simulate', '仿真', 'Simulieren'],
   ['Simulation', '仿真', 'Simulation'],
@@ -467,9 +481,9 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['The run', '仿真过程', 'Der Lauf'],
   ['Simulating {1} %', '仿真中 {1} %', 'Simuliert: {1} %'],
   [
-    '{1} segments, {2} s of the pull. The program computes it in about {3}; in the browser it takes one to three times as long.',
-    '{1} 个单元，牵引过程 {2} 秒。程序计算约需 {3}；在浏览器中需要一至三倍的时间。',
-    '{1} Segmente, {2} s des Zuges. Das Programm rechnet etwa {3}; im Browser dauert es ein- bis dreimal so lange.',
+    '{1} segments, {2} s of the pull. The program computes it in about {3}; in the browser it takes one to five times as long.',
+    '{1} 个单元，牵引过程 {2} 秒。程序计算约需 {3}；在浏览器中需要一至五倍的时间。',
+    '{1} Segmente, {2} s des Zuges. Das Programm rechnet etwa {3}; im Browser dauert es ein- bis fünfmal so lange.',
   ],
   [
     '{1} segments, {2} s of the pull. How long it takes is not known before.',
@@ -480,10 +494,11 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['{1} s of {2} s, {3} at the winch', '第 {1} 秒，共 {2} 秒，牵引机拉力 {3}', '{1} s von {2} s, {3} an der Winde'],
   ['Finer settings, pass {1}:', '更细的设置，第 {1} 遍：', 'Feinere Einstellungen, Durchgang {1}:'],
   [
-    'Stopped at {1} s. What was computed until then is below; a run that is stopped has no verdict.',
-    '在第 {1} 秒停止。此前的计算结果见下；被停止的仿真没有结论。',
-    'Angehalten bei {1} s. Unten steht, was bis dahin gerechnet war; ein angehaltener Lauf hat kein Urteil.',
+    'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. A run that is stopped has no verdict and no report; what was computed until then is below.',
+    '在第 {1} 秒停止（共 {2} 秒）。此前卷扬机的最大牵引力为 {3}（第 {4} 秒）。被停止的仿真没有结论和报告；此前的计算结果见下。',
+    'Angehalten bei {1} s von {2} s. Bis dahin zog die Winde höchstens {3}, bei {4} s. Ein angehaltener Lauf hat kein Urteil und keinen Bericht; was bis dahin gerechnet war, steht unten.',
   ],
+  ['Stopped before anything was computed.', '尚未计算即已停止。', 'Angehalten, bevor etwas gerechnet war.'],
   ['By the run: {1}', '仿真结论：{1}', 'Nach dem Lauf: {1}'],
   [
     'The case has changed since this run.',
