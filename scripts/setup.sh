@@ -28,7 +28,7 @@ python_packages="python3-dev python3-cffi python3-setuptools python3-wheel pytho
 site_packages="doxygen python3-sphinx python3-myst-parser python3-breathe"
 cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
 wasm_packages="emscripten dpkg-dev"
-deb_packages="debhelper dh-python lintian fakeroot mmdebstrap python3-cffi python3-dev python3-setuptools"
+deb_packages="autopkgtest debhelper dh-python lintian fakeroot mmdebstrap python3-cffi python3-dev python3-setuptools"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no
