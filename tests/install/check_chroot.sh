@@ -44,7 +44,7 @@ mount -t proc proc "$root/proc" # the program finds its catalogue from its own p
 inside install <<'END'
 apt-get update -q >/try/log 2>&1
 apt-get install -y -q --no-install-recommends /debs/hawser_*.deb /debs/libhawser*.deb gcc libc6-dev pkg-config >>/try/log 2>&1
-! dpkg -l | grep -i -e openmpi -e mpich
+if dpkg -l | grep -i -e openmpi -e mpich; then exit 1; fi
 echo "installed: $(dpkg -l | grep -c '^ii') packages, no MPI"
 END
 autopkgtest -q "$root"/debs/*.deb "$root"/debs/*.dsc --summary-file "$work/summary" -- chroot "$root" >"$work/autopkgtest.log" 2>&1 || {
