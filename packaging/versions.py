@@ -1,6 +1,6 @@
 """Looks for the version in every part of a release: each must say the one that is asked for.
 
-Usage: versions.py VERSION FOLDER      FOLDER: as scripts/release.sh makes it
+Usage: versions.py VERSION FOLDER [PART...]     FOLDER: as scripts/release.sh makes it; PART: source, desk, deb, sdist, wheel (default: all)
 Prints a line for each part; those that say something else, or are missing, end it with 1.
 """
 from __future__ import annotations
@@ -16,8 +16,6 @@ import tempfile
 import zipfile
 import zlib
 from collections.abc import Iterator
-
-PACKAGES = ("hawser", "libhawser-dev", "libhawser0.2", "python3-hawser")
 
 
 def found(pattern: str, text: str) -> str:
@@ -49,13 +47,14 @@ def of_program(program: pathlib.Path, libraries: pathlib.Path) -> str:
                           env={**os.environ, "LD_LIBRARY_PATH": str(libraries)}).stdout.removeprefix("hawser ").strip()
 
 
-def of_packages(folder: pathlib.Path, work: pathlib.Path) -> Iterator[tuple[str, str]]:
+def of_packages(folder: pathlib.Path, version: str, work: pathlib.Path) -> Iterator[tuple[str, str]]:
     """Debian's: the control file of each, then the files of all of them together."""
     for package in sorted(folder.glob("*.deb")):
         yield f"{package.name}: control", found(r"^([0-9.]+)-[0-9]+$", subprocess.run(["dpkg-deb", "-f", package, "Version"], check=True, capture_output=True, text=True).stdout)
         if "-dbgsym" not in package.name:
             subprocess.run(["dpkg-deb", "-x", package, work], check=True)
-    for name in PACKAGES:
+    so = re.sub(r"^(0\.[0-9]+|[0-9]+)\..*", r"\1", version)  # cmake/Install.cmake: the SONAME's number
+    for name in ("hawser", "libhawser-dev", f"libhawser{so}", "python3-hawser"):
         if not list(folder.glob(f"{name}_*.deb")):
             yield name, "none"
     for source in folder.glob("*.dsc"):
@@ -82,10 +81,13 @@ def of_desk(page: pathlib.Path, version: str) -> str:
     return version if version in texts else " or ".join(texts) or "none"
 
 
-def versions(folder: pathlib.Path, version: str, work: pathlib.Path) -> Iterator[tuple[str, str]]:
+def versions(folder: pathlib.Path, version: str, wanted: list[str], work: pathlib.Path) -> Iterator[tuple[str, str]]:
     """Each part and the version that it has; "none" where the part is missing."""
-    for pattern, reader in ((f"hawser-*.tar.gz", of_source), ("python/hawser-*.tar.gz", of_source), ("deb", lambda path: of_packages(path, work / "deb")),
-                            ("python/*.whl", lambda path: of_wheel(path, work)), ("hawser-desk-*.html", lambda path: [("engine", of_desk(path, version))])):
+    parts = {"source": ("hawser-*.tar.gz", of_source), "desk": ("hawser-desk-*.html", lambda page: [("engine", of_desk(page, version))]),
+             "deb": ("deb", lambda packages: of_packages(packages, version, work / "deb")), "sdist": ("python/hawser-*.tar.gz", of_source),
+             "wheel": ("python/*.whl", lambda wheel: of_wheel(wheel, work))}
+    for name in wanted or parts:
+        pattern, reader = parts[name]
         paths = list(folder.glob(pattern))
         if len(paths) != 1:
             yield pattern, f"{len(paths)} files" if paths else "none"
@@ -94,13 +96,13 @@ def versions(folder: pathlib.Path, version: str, work: pathlib.Path) -> Iterator
                 yield f"{path.relative_to(folder)}: {part}", says
 
 
-def main(version: str, folder: str) -> int:
+def main(version: str, folder: str, *wanted: str) -> int:
     with tempfile.TemporaryDirectory() as work:
-        table = list(versions(pathlib.Path(folder), version, pathlib.Path(work)))
+        table = list(versions(pathlib.Path(folder), version, list(wanted), pathlib.Path(work)))
     for part, says in table:
         print(f"{part}: {says}" + ("" if says == version else f", not {version}"))
     return int(any(says != version for _, says in table))
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:3]))
+    sys.exit(main(*sys.argv[1:]))

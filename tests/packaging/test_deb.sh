@@ -1,5 +1,6 @@
 #!/bin/sh
-# Debian's packages are built, lintian has nothing to say, and what they hold works. Usage: test_deb.sh SOURCE_DIR
+# Debian's packages are built, lintian has nothing to say, and what they hold works.
+# Usage: test_deb.sh SOURCE_DIR [DEBS]     (DEBS: a folder with the packages; default: they are built)
 set -eu
 command -v dh >/dev/null 2>&1 && command -v lintian >/dev/null 2>&1 || {
     echo "skipped: debhelper and lintian are not installed (sh scripts/setup.sh --deb)"
@@ -7,9 +8,13 @@ command -v dh >/dev/null 2>&1 && command -v lintian >/dev/null 2>&1 || {
 }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-git clone -q "$1" "$work/clone"
-sh "$work/clone/packaging/deb.sh" "$work/deb"
-for package in "$work"/deb/*.deb; do dpkg-deb -x "$package" "$work/root"; done
+debs=${2-}
+if [ -z "$debs" ]; then
+    debs=$work/deb
+    git clone -q "$1" "$work/clone"
+    sh "$work/clone/packaging/deb.sh" "$debs"
+fi
+for package in "$debs"/*.deb; do dpkg-deb -x "$package" "$work/root"; done
 lib=$(dirname "$(find "$work/root" -name 'libhawser.so.*' -type f)")
 cat >"$work/hawser" <<EOF
 #!/bin/sh
