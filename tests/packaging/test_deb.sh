@@ -21,7 +21,7 @@ cat >"$work/hawser" <<EOF
 exec env LD_LIBRARY_PATH="$lib" "$work/root/usr/bin/hawser" "\$@"
 EOF
 chmod +x "$work/hawser"
-sed "s|/usr/share|$work/root/usr/share|" "$1/packaging/debian/tests/program" >"$work/program"
+sed "s|/usr/share|$work/root/usr/share|g" "$1/packaging/debian/tests/program" >"$work/program"
 mkdir "$work/tried"
 PATH="$work:$PATH" AUTOPKGTEST_TMP="$work/tried" sh "$work/program"
 [ -s "$work/root/usr/share/man/man1/hawser.1.gz" ]
