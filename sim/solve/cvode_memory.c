@@ -27,13 +27,15 @@ enum { PLACES_KNOWN = sizeof(void *) == 8 && sizeof(long) == 8 };
 #define PROJ(field, known) AT(CVodeProjMemRec, field, known)
 
 /* Bytes by which later places differ from those of 6.4 with indices of 64 bits: behind two numbers that are as wide as
- * an index, behind three pointers to where messages go, which 7 keeps elsewhere, and behind a time that 7 has beside
- * the linear solver's counts. */
+ * an index, behind three pointers to where messages go, which 7 keeps elsewhere, and behind a time that 6.5 and later
+ * have beside the linear solver's counts. 6.4 to 7.5 were compared with their private headers. */
 enum {
     SEVEN = SUNDIALS_VERSION_MAJOR >= 7,
     NARROW = 2 * ((int)sizeof(sunindextype) - 8),
     SILENT = NARROW - 24 * SEVEN,
-    TIMED = 8 * SEVEN
+    TIMED = SEVEN || SUNDIALS_VERSION_MINOR >= 5 ? 8 : 0,
+    FROM = SEVEN ? 0 : 4,
+    TO = SEVEN ? 5 : 7
 };
 
 /* Of CVODE's own structure: */
@@ -197,14 +199,14 @@ static int version_is(void)
     int major = 0, minor = 0, patch = 0;
     char label[32];
     return SUNDIALSGetVersionNumber(&major, &minor, &patch, label, sizeof label) == 0 &&
-           major == SUNDIALS_VERSION_MAJOR && minor == SUNDIALS_VERSION_MINOR && minor == (SEVEN ? 1 : 4) &&
+           major == SUNDIALS_VERSION_MAJOR && minor == SUNDIALS_VERSION_MINOR && minor >= FROM && minor <= TO &&
            PLACES_KNOWN && sizeof(sunrealtype) == 8;
 }
 
 int cvode_memory_known(void *cvode, const char **why)
 {
     const char *unused, **const out = why ? why : &unused;
-    *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 and 7.1 are known";
+    *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 to 7.5 are known";
     if (!version_is()) return 0;
     *out = "SUNDIALS does not keep its integrator's state where this program looks for it";
     return history_is(cvode) && counts_are(cvode) && reals_are(cvode) && orders_are(cvode) && most_is(cvode) &&
