@@ -195,7 +195,7 @@ static double norm_of(const void *owner, const double *x, const double *w)
 static void vectors_new(Bench *b)
 {
     const int size = STATE_SIZE * b->scene.chain.n;
-    check(SUNContext_Create(NULL, &b->context) == 0, "no memory");
+    check(SUNContext_Create(SUN_COMM_NULL, &b->context) == 0, "no memory");
     b->y = malloc((size_t)size * sizeof *b->y);
     check(b->y != NULL, "no memory");
     b->vector[0] = vector_wrap(size, b->y, norm_of, b, NULL, b->context);

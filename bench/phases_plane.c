@@ -70,7 +70,7 @@ void flat_solve(PlaneBench *b)
 void vectors_step(N_Vector vector[4], double gamma)
 {
     N_Vector y = vector[0], rate = vector[1], weight = vector[2], work = vector[3];
-    realtype factor[3] = {1, gamma, 0.5};
+    sunrealtype factor[3] = {1, gamma, 0.5};
     N_Vector terms[3] = {y, rate, work};
     N_VScale(1, y, work);
     N_VLinearSum(1, y, gamma, rate, work);

@@ -17,9 +17,12 @@ if(HAWSER_SHAPELIB)
     list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)
 endif()
 set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
-                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY})
+                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${HAWSER_SUNDIALS_MPI})
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
-list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread -ldl)
+foreach(name ${HAWSER_SUNDIALS_NAMES})
+    list(APPEND HAWSER_PRIVATE_LIBRARIES -l${name})
+endforeach()
+list(APPEND HAWSER_PRIVATE_LIBRARIES -lm -lpthread -ldl)
 
 # The SONAME's number changes with every change that a program built before could trip over (docs/api.md, "Growing"): below
 # 1.0 with the minor version, from then on with the major one.

@@ -70,7 +70,8 @@ def builder() -> cffi.FFI:
     ffi.cdef(declarations.declarations(include) + OWN_DECLARATIONS)
     # extra_objects stand before the libraries that they need
     ffi.set_source("hawser._native", OWN_SOURCE, include_dirs=[str(include)], extra_objects=how["objects"],
-                   extra_link_args=how["link"], extra_compile_args=["-std=gnu17", "-g0"], depends=how["objects"])
+                   extra_link_args=how["link"], depends=how["objects"],
+                   extra_compile_args=["-std=gnu17", *(["-g0"] if how["objects"] else [])])  # a package system keeps symbols apart
     return ffi
 
 

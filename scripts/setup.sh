@@ -8,7 +8,7 @@
 #   --web       also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
 #               web/node_modules; goes on without them where they are not to be had
 #   --wasm      also what scripts/wasm.sh needs
-#   --deb       also what packaging/deb.sh needs
+#   --deb       also what packaging/deb.sh and the test of its packages in a chroot need
 #   --python    also what the Python package, its tests and its notebooks need; goes on without what is not to be had
 #   --clusters  also what `hawser study --mpi` is built with, and OpenMPI and Slurm for the tests of studies
 #   --site      also what scripts/site.sh needs, and what --python does
@@ -28,7 +28,7 @@ python_packages="python3-dev python3-cffi python3-setuptools python3-wheel pytho
 site_packages="doxygen python3-sphinx python3-myst-parser python3-breathe"
 cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
 wasm_packages="emscripten dpkg-dev"
-deb_packages="debhelper lintian fakeroot"
+deb_packages="autopkgtest debhelper dh-python lintian fakeroot mmdebstrap python3-cffi python3-dev python3-setuptools"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no

@@ -10,6 +10,10 @@
 
 #include "survey/alignment.h"
 
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9 /* the old name gives a warning there */
+#define XML_GetCurrentLineNumber XML_GetCurrentLineNumber64
+#endif
+
 /* Finds single-byte encodings, windows-1250 to 1258, ISO-8859-2 to 16, KOI8 and similar, for
  * XML_SetUnknownEncodingHandler; its data is unused. */
 int encoding_find(void *data, const XML_Char *name, XML_Encoding *info);

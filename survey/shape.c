@@ -37,7 +37,16 @@ typedef struct Files {
 
 static const char *const endings[FILES] = {".shp", ".shx", ".dbf", ".prj", ".cpg"};
 
-static SAFile file_open(const char *name, const char *access)
+/* libshp 1.6 also passes a pointer of the caller's, and declares what is written const. */
+#ifdef SHAPELIB_AT_LEAST
+#define USER_DATA , __attribute__((unused)) void *user
+typedef const void Written;
+#else
+#define USER_DATA
+typedef void Written;
+#endif
+
+static SAFile file_open(const char *name, const char *access USER_DATA)
 {
     const char *const dot = strrchr(name, '.');
     void *address;
@@ -54,7 +63,7 @@ static SAOffset file_read(void *to, SAOffset size, SAOffset n, SAFile file)
 {
     return fread(to, size, n, (FILE *)(void *)file);
 }
-static SAOffset file_write(void *from, SAOffset size, SAOffset n, SAFile file)
+static SAOffset file_write(Written *from, SAOffset size, SAOffset n, SAFile file)
 {
     (void)from, (void)size, (void)n, (void)file;
     return 0;
@@ -66,7 +75,7 @@ static SAOffset file_seek(SAFile file, SAOffset at, int from)
 static SAOffset file_tell(SAFile file) { return (SAOffset)ftell((FILE *)(void *)file); }
 static int file_flush(SAFile file) { return file ? 0 : EOF; }
 static int file_close(SAFile file) { return fclose((FILE *)(void *)file); }
-static int file_remove(const char *name) { return name ? EOF : 0; }
+static int file_remove(const char *name USER_DATA) { return name ? EOF : 0; }
 static void silent(const char *message) { (void)message; }
 
 static SAHooks hooks(void)

@@ -26,7 +26,7 @@ typedef struct Ark {
     long rhs;
 } Ark;
 
-static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
+static int call_rates(sunrealtype t, N_Vector y, N_Vector ydot, void *user)
 {
     Ark *const a = user;
     ++a->rhs;
@@ -41,15 +41,15 @@ static int call_weights(N_Vector y, N_Vector weight, void *user)
     return 0;
 }
 
-static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, SUNMatrix mass, booleantype jok,
-                       booleantype *jcur, realtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
+static int call_system(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix a, SUNMatrix mass, sunbooleantype jok,
+                       sunbooleantype *jcur, sunrealtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
 {
     (void)a, (void)mass, (void)t1, (void)t2, (void)t3;
     return own_linear_system(&((Ark *)user)->own, t, y, fy, jok, jcur, gamma);
 }
 
 /* Quaternions of unit length after every step. */
-static int call_after(realtype t, N_Vector y, void *user)
+static int call_after(sunrealtype t, N_Vector y, void *user)
 {
     (void)t;
     const Ark *const a = user;

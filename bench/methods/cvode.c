@@ -57,7 +57,7 @@ static void from_motion(const Plain *c, const double *y, double *x)
 
 /* ------------------------------------------------------------------------------------------------ call-backs */
 
-static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
+static int call_rates(sunrealtype t, N_Vector y, N_Vector ydot, void *user)
 {
     Plain *const c = user;
     Motion *const motion = c->p->motion;
@@ -82,7 +82,8 @@ static int call_weights(N_Vector y, N_Vector weight, void *user)
     return 0;
 }
 
-static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
+static int call_projection(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype tolerance, N_Vector error,
+                           void *user)
 {
     (void)t, (void)tolerance;
     const Plain *const c = user;
@@ -98,30 +99,30 @@ static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype
     return 0;
 }
 
-static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, booleantype jok, booleantype *jcur,
-                       realtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
+static int call_system(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix a, sunbooleantype jok, sunbooleantype *jcur,
+                       sunrealtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
 {
     (void)a, (void)t1, (void)t2, (void)t3;
     return own_linear_system(&((Plain *)user)->own, t, y, fy, jok, jcur, gamma);
 }
 
-static int call_jacobian(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, void *user, N_Vector t1, N_Vector t2,
+static int call_jacobian(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix a, void *user, N_Vector t1, N_Vector t2,
                          N_Vector t3)
 {
     (void)t1, (void)t2, (void)t3;
     return coloured_jacobian(&((Plain *)user)->coloured, t, N_VGetArrayPointer(y), N_VGetArrayPointer(fy), a);
 }
 
-static int call_precondition(realtype t, N_Vector y, N_Vector fy, booleantype jok, booleantype *jcur, realtype gamma,
-                             void *user)
+static int call_precondition(sunrealtype t, N_Vector y, N_Vector fy, sunbooleantype jok, sunbooleantype *jcur,
+                             sunrealtype gamma, void *user)
 {
     Plain *const c = user;
     own_linear_system(&c->own, t, y, fy, jok, jcur, gamma);
     return c->p->motion->ops->factor(c->p->motion);
 }
 
-static int call_preconditioned(realtype t, N_Vector y, N_Vector fy, N_Vector r, N_Vector z, realtype gamma,
-                               realtype delta, int side, void *user)
+static int call_preconditioned(sunrealtype t, N_Vector y, N_Vector fy, N_Vector r, N_Vector z, sunrealtype gamma,
+                               sunrealtype delta, int side, void *user)
 {
     (void)t, (void)y, (void)fy, (void)gamma, (void)delta, (void)side;
     Motion *const motion = ((Plain *)user)->p->motion;

@@ -10,7 +10,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     return motion->ops->factor(motion);
 }
 
-static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, realtype tolerance)
+static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, sunrealtype tolerance)
 {
     (void)a, (void)tolerance;
     Motion *const motion = ((OwnLinear *)s->content)->motion;
@@ -26,7 +26,7 @@ int own_linear_new(OwnLinear *own, Motion *motion, SUNContext context)
 
 void own_linear_free(OwnLinear *own) { custom_linear_free(&own->linear); }
 
-int own_linear_system(OwnLinear *own, double t, N_Vector y, N_Vector rates, int jok, booleantype *jcur, double gamma)
+int own_linear_system(OwnLinear *own, double t, N_Vector y, N_Vector rates, int jok, sunbooleantype *jcur, double gamma)
 {
     Motion *const motion = own->motion;
     if (!jok) {

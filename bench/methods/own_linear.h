@@ -14,6 +14,7 @@ typedef struct OwnLinear {
 int own_linear_new(OwnLinear *own, Motion *motion, SUNContext context);
 void own_linear_free(OwnLinear *own);
 /* New derivatives at (t, y) unless jok; the matrix for gamma. */
-int own_linear_system(OwnLinear *own, double t, N_Vector y, N_Vector rates, int jok, booleantype *jcur, double gamma);
+int own_linear_system(OwnLinear *own, double t, N_Vector y, N_Vector rates, int jok, sunbooleantype *jcur,
+                      double gamma);
 
 #endif

@@ -484,22 +484,27 @@ static herr_t disk_close(H5FD_t *file)
 /* The driver is registered for each file, so that no state is shared between simulations. */
 hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words)
 {
-    const H5FD_class_t driver = {.name = "hawser_disk",
-                                 .maxaddr = address_max,
-                                 .fc_degree = H5F_CLOSE_STRONG,
-                                 .fapl_size = sizeof(DiskInfo),
-                                 .open = disk_open,
-                                 .close = disk_close,
-                                 .cmp = disk_compare,
-                                 .query = disk_query,
-                                 .get_eoa = disk_get_allocated,
-                                 .set_eoa = disk_set_allocated,
-                                 .get_eof = disk_get_size,
-                                 .read = disk_read,
-                                 .write = disk_write,
-                                 .flush = disk_flush,
-                                 .truncate = disk_truncate,
-                                 .fl_map = H5FD_FLMAP_DICHOTOMY};
+    const H5FD_class_t driver = {
+#ifdef H5FD_CLASS_VERSION /* since HDF5 1.14; the number is one of those that are nobody's */
+        .version = H5FD_CLASS_VERSION,
+        .value = (H5FD_class_value_t)300,
+#endif
+        .name = "hawser_disk",
+        .maxaddr = address_max,
+        .fc_degree = H5F_CLOSE_STRONG,
+        .fapl_size = sizeof(DiskInfo),
+        .open = disk_open,
+        .close = disk_close,
+        .cmp = disk_compare,
+        .query = disk_query,
+        .get_eoa = disk_get_allocated,
+        .set_eoa = disk_set_allocated,
+        .get_eof = disk_get_size,
+        .read = disk_read,
+        .write = disk_write,
+        .flush = disk_flush,
+        .truncate = disk_truncate,
+        .fl_map = H5FD_FLMAP_DICHOTOMY};
     const DiskInfo info = {words, *place};
     const hid_t id = H5FDregister(&driver);
     words->error = words->open = 0;

@@ -35,7 +35,7 @@ static int correction(const Attempt *a, N_Vector out, double *size)
 /* The matrix of where r was evaluated last. */
 static int matrix_fresh(const Attempt *a)
 {
-    booleantype current;
+    sunbooleantype current;
     a->c->rate = 1;
     a->c->fresh = 1;
     return a->c->setup(SUNTRUE, &current, a->cvode);
@@ -85,7 +85,7 @@ static int damp(Attempt *a)
         ++c->iterations;
         N_VLinearSum(1.0, a->e, share - made, c->step, a->e);
         made = share;
-        if (look_ahead(a, &next) < 0) return SUN_NLS_EXT_FAIL;
+        if (look_ahead(a, &next) < 0) return SUN_ERR_EXT_FAIL;
         if (next <= (1 - share / 4) * a->size) return go_on_fresh(a);
     }
     return bad ? bad : SUN_NLS_CONV_RECVR;
@@ -130,7 +130,7 @@ static int iterate(Attempt *a, int setup)
     int bad = residual_at(a);
     if (bad) return bad;
     if (setup) {
-        booleantype current = SUNFALSE;
+        sunbooleantype current = SUNFALSE;
         bad = c->setup(SUNFALSE, &current, a->cvode);
         c->fresh = current;
         c->rate = 1;
@@ -150,8 +150,8 @@ static int iterate(Attempt *a, int setup)
 
 /* ------------------------------------------------------------------------------------ in SUNDIALS' clothes */
 
-static int solve_step(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_Vector weight, realtype tolerance,
-                      booleantype setup, void *cvode)
+static int solve_step(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_Vector weight, sunrealtype tolerance,
+                      sunbooleantype setup, void *cvode)
 {
     (void)predicted;
     ContactNewton *const c = shell->content;

@@ -8,7 +8,17 @@
 #ifndef HAWSER_SIM_SOLVE_CONTACT_NEWTON_H
 #define HAWSER_SIM_SOLVE_CONTACT_NEWTON_H
 
+#include <sundials/sundials_config.h>
+#include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_nonlinearsolver.h>
+
+/* Names of SUNDIALS 7, for 6. */
+#if SUNDIALS_VERSION_MAJOR < 7
+#define SUN_COMM_NULL    NULL
+#define SUN_SUCCESS      SUNLS_SUCCESS
+#define SUN_ERR_MEM_FAIL SUNLS_MEM_FAIL
+#define SUN_ERR_EXT_FAIL SUN_NLS_EXT_FAIL
+#endif
 
 typedef struct ContactNewton {
     SUNNonlinearSolver shell; /* what CVODE is given; it borrows this struct */

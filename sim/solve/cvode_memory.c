@@ -26,6 +26,18 @@ enum { PLACES_KNOWN = sizeof(void *) == 8 && sizeof(long) == 8 };
 #define LS(field, known)   AT(CVLsMemRec, field, known)
 #define PROJ(field, known) AT(CVodeProjMemRec, field, known)
 
+/* Bytes by which later places differ from those of 6.4 with indices of 64 bits: behind two numbers that are as wide as
+ * an index, behind three pointers to where messages go, which 7 keeps elsewhere, and behind a time that 6.5 and later
+ * have beside the linear solver's counts. 6.4 to 7.5 were compared with their private headers. */
+enum {
+    SEVEN = SUNDIALS_VERSION_MAJOR >= 7,
+    NARROW = 2 * ((int)sizeof(sunindextype) - 8),
+    SILENT = NARROW - 24 * SEVEN,
+    TIMED = SEVEN || SUNDIALS_VERSION_MINOR >= 5 ? 8 : 0,
+    FROM = SEVEN ? 0 : 4,
+    TO = SEVEN ? 5 : 7
+};
+
 /* Of CVODE's own structure: */
 enum {
     AT_HISTORY = MEM(cv_zn, 96),    /* pointers to its 13 vectors */
@@ -44,16 +56,16 @@ enum {
     AT_NEWTON_FAILS = MEM(cv_nnf, 888),
     AT_ERROR_FAILS = MEM(cv_netf, 896),
     AT_SETUPS = MEM(cv_nsetups, 904),
-    AT_LINEAR = MEM(cv_lmem, 1040), /* pointer to what its linear solver keeps */
-    AT_LAST_ORDER = MEM(cv_qu, 1064),
-    AT_FIRST_STEP = MEM(cv_h0u, 1080),
-    AT_LAST_STEP = MEM(cv_hu, 1088),
-    AT_TOO_MUCH = MEM(cv_tolsf, 1112),       /* factor by which the tolerance should be larger */
-    AT_VECTORS = MEM(cv_qmax_alloc, 1120),   /* int: the highest order that it has vectors for */
-    AT_KEPT = MEM(cv_indx_acor, 1124),       /* int: the vector that holds the last correction, for a higher order */
-    AT_PROJECTION = MEM(proj_mem, 1528),     /* pointer to what its projection keeps; NULL: there is none */
-    AT_PROJECTING = MEM(proj_enabled, 1536), /* int: whether it is to project; never without one */
-    AT_PROJECTED = MEM(proj_applied, 1540)   /* int: whether it has */
+    AT_LINEAR = MEM(cv_lmem, 1040 + NARROW), /* pointer to what its linear solver keeps */
+    AT_LAST_ORDER = MEM(cv_qu, 1064 + NARROW),
+    AT_FIRST_STEP = MEM(cv_h0u, 1080 + NARROW),
+    AT_LAST_STEP = MEM(cv_hu, 1088 + NARROW),
+    AT_TOO_MUCH = MEM(cv_tolsf, 1112 + NARROW),     /* factor by which the tolerance should be larger */
+    AT_VECTORS = MEM(cv_qmax_alloc, 1120 + NARROW), /* int: the highest order that it has vectors for */
+    AT_KEPT = MEM(cv_indx_acor, 1124 + NARROW), /* int: the vector that holds the last correction, for a higher order */
+    AT_PROJECTION = MEM(proj_mem, 1528 + SILENT),     /* pointer to what its projection keeps; NULL: there is none */
+    AT_PROJECTING = MEM(proj_enabled, 1536 + SILENT), /* int: whether it is to project; never without one */
+    AT_PROJECTED = MEM(proj_applied, 1540 + SILENT)   /* int: whether it has */
 };
 /* Of the linear solver's, and of the projection's: */
 enum { AT_JACOBIANS = LS(nje, 136), AT_PROJECTIONS = PROJ(nproj, 64) };
@@ -63,15 +75,16 @@ typedef struct Stretch {
     int from, to;
 } Stretch;
 static const Stretch own[] = {
-    {MEM(cv_tstopset, 272), MEM(NLS, 976)}, /* stop time, orders, steps, times, coefficients, limits, counts */
-    {MEM(convfail, 1000), MEM(convfail, 1000) + (int)sizeof(int)}, /* how the last iteration ended */
+    {MEM(cv_tstopset, 272), MEM(NLS, 976 + NARROW)}, /* stop time, orders, steps, times, coefficients, limits, counts */
+    {MEM(convfail, 1000 + NARROW), MEM(convfail, 1000 + NARROW) + (int)sizeof(int)}, /* how the last iteration ended */
     /* when a matrix is due; what the last step was made with */
-    {MEM(cv_msbp, 1048), MEM(cv_VabstolMallocDone, 1128)},
-    {MEM(cv_sldeton, 1184), MEM(cv_gfun, 1400)}, /* limits of stability, where they are looked for */
+    {MEM(cv_msbp, 1048 + NARROW), MEM(cv_VabstolMallocDone, 1128 + NARROW)},
+    {MEM(cv_sldeton, 1184 + SILENT), MEM(cv_gfun, 1400 + SILENT)}, /* limits of stability, where they are looked for */
     /* whether and how the projection changes the history */
-    {MEM(proj_enabled, 1536), MEM(cv_cvals, 1648)}};
+    {MEM(proj_enabled, 1536 + SILENT), MEM(cv_cvals, 1648 + SILENT)}};
 /* when a matrix was made, counts */
-static const Stretch linear[] = {{LS(jbad, 32), LS(jbad, 32) + (int)sizeof(int)}, {LS(msbj, 128), LS(pset, 208)}};
+static const Stretch linear[] = {{LS(jbad, 32), LS(jbad, 32) + (int)sizeof(int)},
+                                 {LS(msbj, 128), LS(pset, 208 + TIMED)}};
 /* when it was done, counts */
 static const Stretch projection[] = {{PROJ(first_proj, 8), PROJ(first_proj, 8) + (int)sizeof(int)},
                                      {PROJ(freq, 16), PROJ(max_fails, 32) + (int)sizeof(int)},
@@ -99,7 +112,7 @@ static int long_is(const void *memory, int at, long value)
     return !memcmp((const char *)memory + at, &value, sizeof value);
 }
 
-static int real_is(const void *memory, int at, realtype value)
+static int real_is(const void *memory, int at, sunrealtype value)
 {
     /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits are what is asked for */
     return !memcmp((const char *)memory + at, &value, sizeof value);
@@ -130,14 +143,14 @@ static int counts_are(void *cvode)
 static int reals_are(void *cvode)
 {
     static const struct {
-        int (*get)(void *, realtype *);
+        int (*get)(void *, sunrealtype *);
         int at;
     } real[] = {{CVodeGetCurrentTime, AT_TIME},   {CVodeGetCurrentStep, AT_NEXT_STEP},
                 {CVodeGetLastStep, AT_LAST_STEP}, {CVodeGetActualInitStep, AT_FIRST_STEP},
                 {CVodeGetCurrentGamma, AT_GAMMA}, {CVodeGetTolScaleFactor, AT_TOO_MUCH}};
     int ok = 1;
     for (size_t k = 0; k < sizeof real / sizeof *real; ++k) {
-        realtype value = -1;
+        sunrealtype value = -1;
         ok = ok && real[k].get(cvode, &value) == CV_SUCCESS && real_is(cvode, real[k].at, value);
     }
     return ok;
@@ -163,7 +176,7 @@ static int most_is(void *cvode)
 /* The state and the rates of the history. */
 static int history_is(void *cvode)
 {
-    realtype t, gamma, rl1;
+    sunrealtype t, gamma, rl1;
     N_Vector predicted = NULL, now, rates, first = NULL;
     void *user;
     const int flag = CVodeGetNonlinearSystemData(cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
@@ -185,14 +198,15 @@ static int version_is(void)
 {
     int major = 0, minor = 0, patch = 0;
     char label[32];
-    return SUNDIALSGetVersionNumber(&major, &minor, &patch, label, sizeof label) == 0 && major == 6 && minor == 4 &&
-           PLACES_KNOWN && sizeof(realtype) == 8 && sizeof(sunindextype) == 8;
+    return SUNDIALSGetVersionNumber(&major, &minor, &patch, label, sizeof label) == 0 &&
+           major == SUNDIALS_VERSION_MAJOR && minor == SUNDIALS_VERSION_MINOR && minor >= FROM && minor <= TO &&
+           PLACES_KNOWN && sizeof(sunrealtype) == 8;
 }
 
 int cvode_memory_known(void *cvode, const char **why)
 {
     const char *unused, **const out = why ? why : &unused;
-    *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 is known";
+    *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 to 7.5 are known";
     if (!version_is()) return 0;
     *out = "SUNDIALS does not keep its integrator's state where this program looks for it";
     return history_is(cvode) && counts_are(cvode) && reals_are(cvode) && orders_are(cvode) && most_is(cvode) &&
@@ -243,7 +257,7 @@ static int steps_fit(const void *cvode)
     const int at[] = {AT_TIME, AT_NEXT_STEP, AT_LAST_STEP, AT_GAMMA};
     int ok = 1;
     for (size_t k = 0; k < sizeof at / sizeof *at; ++k) {
-        realtype value;
+        sunrealtype value;
         memcpy(&value, (const char *)cvode + at[k], sizeof value);
         ok = ok && isfinite(value);
     }

@@ -53,7 +53,7 @@ static void task_end(N_Vector z, const VectorTask *task, const VectorTask *alone
 
 /* ------------------------------------------------------------------------------------------ what can wait */
 
-static void op_linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z)
+static void op_linear_sum(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z)
 {
     VectorTask alone, *const task = task_begin(z, &alone);
     task->kind = VECTOR_SUM;
@@ -65,7 +65,7 @@ static void op_linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vect
     task_end(z, task, &alone);
 }
 
-static void op_scale(realtype a, N_Vector x, N_Vector z)
+static void op_scale(sunrealtype a, N_Vector x, N_Vector z)
 {
     VectorTask alone, *const task = task_begin(z, &alone);
     task->kind = VECTOR_SCALE;
@@ -75,7 +75,7 @@ static void op_scale(realtype a, N_Vector x, N_Vector z)
     task_end(z, task, &alone);
 }
 
-static void op_const(realtype a, N_Vector z)
+static void op_const(sunrealtype a, N_Vector z)
 {
     VectorTask alone, *const task = task_begin(z, &alone);
     task->kind = VECTOR_FILL;
@@ -84,7 +84,7 @@ static void op_const(realtype a, N_Vector z)
     task_end(z, task, &alone);
 }
 
-static int op_combination(int terms, realtype *a, N_Vector *x, N_Vector z)
+static int op_combination(int terms, sunrealtype *a, N_Vector *x, N_Vector z)
 {
     if (terms < 1 || terms > VECTOR_TERMS_MAX) return -1;
     VectorTask alone, *const task = task_begin(z, &alone);
@@ -100,7 +100,7 @@ static int op_combination(int terms, realtype *a, N_Vector *x, N_Vector z)
 }
 
 /* z[k] = a[k] x + y[k] */
-static int op_scale_add_multi(int terms, realtype *a, N_Vector x, N_Vector *y, N_Vector *z)
+static int op_scale_add_multi(int terms, sunrealtype *a, N_Vector x, N_Vector *y, N_Vector *z)
 {
     for (int k = 0; k < terms; ++k) op_linear_sum(a[k], x, 1, y[k], z[k]);
     return 0;
@@ -108,13 +108,13 @@ static int op_scale_add_multi(int terms, realtype *a, N_Vector x, N_Vector *y, N
 
 /* ------------------------------------------------------------------------------------------ what cannot */
 
-static realtype *op_data(N_Vector v)
+static sunrealtype *op_data(N_Vector v)
 {
     settle(v);
     return NV_DATA_S(v);
 }
 
-static realtype op_norm(N_Vector x, N_Vector w)
+static sunrealtype op_norm(N_Vector x, N_Vector w)
 {
     const VectorContent *const content = x->content;
     settle(x);
@@ -147,25 +147,25 @@ static void op_inverse(N_Vector x, N_Vector z)
     N_VInv_Serial(x, z);
 }
 
-static void op_add_const(N_Vector x, realtype b, N_Vector z)
+static void op_add_const(N_Vector x, sunrealtype b, N_Vector z)
 {
     settle(z);
     N_VAddConst_Serial(x, b, z);
 }
 
-static realtype op_dot(N_Vector x, N_Vector y)
+static sunrealtype op_dot(N_Vector x, N_Vector y)
 {
     settle(x);
     return N_VDotProd_Serial(x, y);
 }
 
-static realtype op_largest(N_Vector x)
+static sunrealtype op_largest(N_Vector x)
 {
     settle(x);
     return N_VMaxNorm_Serial(x);
 }
 
-static realtype op_least(N_Vector x)
+static sunrealtype op_least(N_Vector x)
 {
     settle(x);
     return N_VMin_Serial(x);
@@ -369,7 +369,7 @@ static SUNLinearSolver_ID solver_id(SUNLinearSolver s)
 }
 
 int custom_linear_new(CustomLinear *linear, void *owner, int (*setup)(SUNLinearSolver, SUNMatrix),
-                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, realtype), SUNContext context)
+                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, sunrealtype), SUNContext context)
 {
     *linear = (CustomLinear){SUNMatNewEmpty(context), SUNLinSolNewEmpty(context)};
     if (!linear->matrix || !linear->solver) return 0;
@@ -388,6 +388,40 @@ void custom_linear_free(CustomLinear *linear)
     if (linear->matrix) SUNMatFreeEmpty(linear->matrix);
     *linear = (CustomLinear){0};
 }
+
+/* ------------------------------------------------------------------------------------------ messages */
+
+enum { MESSAGE_LENGTH = 256 };
+
+/* What CVODE reports goes to `message`, the last of it, and not to the standard error. messages_keep returns 0: no
+ * memory. */
+#if SUNDIALS_VERSION_MAJOR < 7
+static void message_keep(int code, const char *module, const char *function, char *text, void *message)
+{
+    (void)code, (void)module, (void)function;
+    snprintf(message, MESSAGE_LENGTH, "%s", text);
+}
+
+static int messages_keep(SUNContext context, void *cvode, char message[MESSAGE_LENGTH])
+{
+    (void)context;
+    return CVodeSetErrHandlerFn(cvode, message_keep, message) == CV_SUCCESS;
+}
+#else
+static void message_keep(int line, const char *function, const char *file, const char *text, SUNErrCode code,
+                         void *message, SUNContext context)
+{
+    (void)line, (void)function, (void)file, (void)code, (void)context;
+    snprintf(message, MESSAGE_LENGTH, "%s", text ? text : "");
+}
+
+/* SUNDIALS calls all handlers of a context, its own among them. */
+static int messages_keep(SUNContext context, void *cvode, char message[MESSAGE_LENGTH])
+{
+    (void)cvode;
+    return !SUNContext_ClearErrHandlers(context) && !SUNContext_PushErrHandler(context, message_keep, message);
+}
+#endif
 
 enum { STALLED_MOST = 20 };
 
@@ -416,13 +450,13 @@ struct Integrator {
     CustomLinear linear;
     ContactNewton newton;
     IntegratorStats stats;
-    IntegratorStats before; /* counts of CVODE's from before it was started anew */
-    char complaint[256];    /* what CVODE said last */
+    IntegratorStats before;         /* counts of CVODE's from before it was started anew */
+    char complaint[MESSAGE_LENGTH]; /* what CVODE reported last */
 };
 
 /* ---------------------------------------------------------------- CVODE's call-backs; `user` is the Integrator */
 
-static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
+static int call_rates(sunrealtype t, N_Vector y, N_Vector ydot, void *user)
 {
     Integrator *const in = user;
     const double start = clock_now();
@@ -446,8 +480,8 @@ static int call_weights(N_Vector y, N_Vector weight, void *user)
 }
 
 /* CVODE's setup: new blocks when asked for, the matrix for this gamma always. */
-static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, booleantype jok, booleantype *jcur,
-                       realtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
+static int call_system(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix a, sunbooleantype jok, sunbooleantype *jcur,
+                       sunrealtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
 {
     (void)a, (void)t1, (void)t2, (void)t3;
     Integrator *const in = user;
@@ -464,7 +498,8 @@ static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, boolean
     return 0;
 }
 
-static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
+static int call_projection(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype tolerance, N_Vector error,
+                           void *user)
 {
     (void)t, (void)tolerance;
     const Integrator *const in = user;
@@ -477,13 +512,6 @@ static double call_norm(const void *owner, const double *x, const double *w)
 {
     const Motion *const motion = owner;
     return motion->ops->norm(motion, x, w);
-}
-
-static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
-{
-    (void)code, (void)module, (void)function;
-    Integrator *const in = user;
-    snprintf(in->complaint, sizeof in->complaint, "%s", message);
 }
 
 /* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom)
@@ -500,7 +528,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     return custom_linear_told(status, &in->lack);
 }
 
-static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, realtype tolerance)
+static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, sunrealtype tolerance)
 {
     (void)a, (void)tolerance;
     Integrator *const in = s->content;
@@ -558,7 +586,7 @@ static void state_keep(Integrator *in)
  * predicts in place, and tells where. NULL if it does not. */
 static N_Vector history_state(const Integrator *in)
 {
-    realtype t, gamma, rl1;
+    sunrealtype t, gamma, rl1;
     N_Vector predicted = NULL, now, rates, first;
     void *user;
     const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
@@ -594,8 +622,9 @@ static int cvode_new(Integrator *in, double t)
 {
     in->cvode = CVodeCreate(CV_BDF, in->context);
     if (!in->cvode) return 0;
-    CVodeSetErrHandlerFn(in->cvode, call_complaint, in);
-    if (CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS) return 1;
+    if (messages_keep(in->context, in->cvode, in->complaint) &&
+        CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS)
+        return 1;
     free(in->cvode);
     in->cvode = NULL;
     return 0;
@@ -605,7 +634,7 @@ static int cvode_new(Integrator *in, double t)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    if (!memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
+    if (!memory_room(CONTEXT_ROOM) || SUNContext_Create(SUN_COMM_NULL, &in->context)) return 0;
     in->family.queue = (VectorQueue){.team = in->motion->team, .pitch = &in->motion->pitch};
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
@@ -663,7 +692,7 @@ Integrator *integrator_free(Integrator *in)
 /* CVODE's history holds them: Nordsieck's array has h y' beside y. */
 const double *integrator_rates(Integrator *in, double *h)
 {
-    realtype t, gamma, rl1;
+    sunrealtype t, gamma, rl1;
     N_Vector predicted, now, rates, first = NULL;
     void *user;
     if (in->esdirk) {

@@ -7,6 +7,7 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_nvector.h>
 
+#include "sim/solve/contact_newton.h"
 #include "sim/solve/motion.h"
 #include "sim/solve/vector_queue.h"
 
@@ -59,13 +60,13 @@ typedef struct CustomLinear {
 /* setup factors, solve solves, as SUNLinearSolver_Ops have them; solver->content is `owner`. 0: no memory;
  * custom_linear_free may follow either way. */
 int custom_linear_new(CustomLinear *linear, void *owner, int (*setup)(SUNLinearSolver, SUNMatrix),
-                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, realtype), SUNContext context);
+                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, sunrealtype), SUNContext context);
 /* How SUNDIALS is told what linsolver_factor and linsolver_solve return: it takes numbers that it does not know for a
  * success. *lack: there was no memory. */
 static inline int custom_linear_told(int status, int *lack)
 {
     *lack = status < 0;
-    return status == 0 ? SUNLS_SUCCESS : status < 0 ? SUNLS_MEM_FAIL : SUNLS_PACKAGE_FAIL_REC;
+    return status == 0 ? SUN_SUCCESS : status < 0 ? SUN_ERR_MEM_FAIL : SUNLS_PACKAGE_FAIL_REC;
 }
 
 void custom_linear_free(CustomLinear *linear);

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Debian's packages in a clean chroot: installed, used by the program, a shared and a static consumer, removed without a trace, and
-# without MPI. Usage: check_chroot.sh SOURCE_DIR [DEBS]     (DEBS: a folder with the packages; default: they are built)
-# Skipped (77) without mmdebstrap, debhelper, root or the archive of packages. HAWSER_SUITE: another suite than bookworm.
+# Debian's packages in a clean chroot: installed, tested by autopkgtest (packaging/debian/tests), used by a static consumer, removed without a
+# trace, and without MPI. Usage: check_chroot.sh SOURCE_DIR [DEBS]     (DEBS: what packaging/deb.sh wrote; default: they are built)
+# Skipped (77) without mmdebstrap, autopkgtest, debhelper, root or the archive of packages. HAWSER_SUITE: another suite than bookworm.
 set -eu
 export LC_ALL=C
 source_dir=$1 debs=${2-}
-command -v mmdebstrap >/dev/null 2>&1 && command -v dh >/dev/null 2>&1 && [ "$(id -u)" -eq 0 ] || {
-    echo "skipped: mmdebstrap, debhelper and root are needed"
+command -v mmdebstrap >/dev/null 2>&1 && command -v autopkgtest >/dev/null 2>&1 && command -v dh >/dev/null 2>&1 && [ "$(id -u)" -eq 0 ] || {
+    echo "skipped: mmdebstrap, autopkgtest, debhelper and root are needed (sh scripts/setup.sh --deb)"
     exit 77
 }
 work=$(mktemp -d)
@@ -27,31 +27,42 @@ mmdebstrap --variant=minbase "${HAWSER_SUITE:-bookworm}" "$root" >"$work/chroot.
     exit 77
 }
 mkdir "$root/debs" "$root/try"
-cp "$debs"/hawser_*.deb "$debs"/libhawser*.deb "$root/debs"
+cp "$debs"/*.deb "$debs"/*.dsc "$debs"/*.tar.* "$root/debs"
 rm -f "$root"/debs/*dbgsym*
-cp "$source_dir/packaging/debian/tests/program" "$source_dir/packaging/debian/tests/library" "$root/try"
 cp /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null || true
 for file in /etc/apt/apt.conf.d/*proxy*; do [ ! -e "$file" ] || cp -n "$file" "$root/etc/apt/apt.conf.d/"; done
-cat >"$root/try/all" <<'END'
-set -eu
-export DEBIAN_FRONTEND=noninteractive
 fail() {
     echo "check_chroot: $*" >&2
     exit 1
 }
+# inside NAME: standard input, run in the chroot; what apt says is in /try/log.
+inside() {
+    { echo "set -eu; export DEBIAN_FRONTEND=noninteractive"; cat; } >"$root/try/$1"
+    chroot "$root" sh "/try/$1" || { tail -n 5 "$root/try/log" >&2; fail "$1"; }
+}
+mount -t proc proc "$root/proc" # the program finds its catalogue from its own place
+inside install <<'END'
 apt-get update -q >/try/log 2>&1
-apt-get install -y -q --no-install-recommends /debs/*.deb gcc libc6-dev pkg-config >>/try/log 2>&1 || { tail -n 5 /try/log; fail "not installed"; }
-! dpkg -l | grep -q -i -e openmpi -e mpich || fail "MPI came along"
-sh /try/program || fail "the program's test"
-sh /try/library || fail "the library's test"
-echo "installed, used: $(dpkg -l | grep -c '^ii') packages, no MPI"
+apt-get install -y -q --no-install-recommends /debs/hawser_*.deb /debs/libhawser*.deb gcc libc6-dev pkg-config >>/try/log 2>&1
+if dpkg -l | grep -i -e openmpi -e mpich; then exit 1; fi
+echo "installed: $(dpkg -l | grep -c '^ii') packages, no MPI"
+END
+autopkgtest -q "$root"/debs/*.deb "$root"/debs/*.dsc --summary-file "$work/summary" -- chroot "$root" >"$work/autopkgtest.log" 2>&1 || {
+    tail -n 60 "$work/autopkgtest.log" >&2
+    fail "autopkgtest"
+}
+cat "$work/summary"
+inside static <<'END'
 apt-get install -y -q --no-install-recommends $(dpkg -s libhawser-dev | sed -n 's/^Suggests: //p' | tr -d ',') >>/try/log 2>&1
 printf '#include <hawser/hawser.h>\n#include <stdio.h>\nint main(void) { return puts(hawser_version()) < 0; }\n' >/try/v.c
-gcc /try/v.c -o /try/v $(pkg-config --cflags --static --libs hawser | sed 's/-lhawser/-l:libhawser.a/') && /try/v || fail "the static consumer"
-apt-get purge -y -q hawser libhawser-dev libhawser0.2 >>/try/log 2>&1
-left=$(find /usr /etc /var/lib /opt -name '*hawser*' ! -path '/var/lib/apt/*' ! -path '/var/lib/dpkg/*')
-[ -z "$left" ] || fail "left behind: $left"
+gcc /try/v.c -o /try/v $(pkg-config --cflags --static --libs hawser | sed 's/-lhawser/-l:libhawser.a/')
+/try/v
+END
+inside purge <<'END'
+apt-get install -y -q --no-install-recommends /debs/*.deb >>/try/log 2>&1 # what autopkgtest has removed again
+apt-get purge -y -q python3-hawser hawser libhawser-dev libhawser0.2 >>/try/log 2>&1
+find /usr /etc /var/lib /opt -name '*hawser*' ! -path '/var/lib/apt/*' ! -path '/var/lib/dpkg/*' >/try/left
+cat /try/left
+[ ! -s /try/left ]
 echo "removed"
 END
-mount -t proc proc "$root/proc" # the program finds its catalogue from its own place
-chroot "$root" sh /try/all

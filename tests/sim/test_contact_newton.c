@@ -24,7 +24,7 @@ static int residual(N_Vector e, N_Vector r, void *user)
     return !isfinite(NV_Ith_S(r, 0));
 }
 
-static int setup(booleantype bad, booleantype *current, void *user)
+static int setup(sunbooleantype bad, sunbooleantype *current, void *user)
 {
     Equation *const q = user;
     q->matrix = q->slope(q->at);
@@ -44,7 +44,7 @@ static int solve(N_Vector b, void *user)
 static double solution(Equation *q, double matrix, double tolerance, int *status)
 {
     SUNContext context;
-    assert_int_equal(SUNContext_Create(NULL, &context), 0);
+    assert_int_equal(SUNContext_Create(SUN_COMM_NULL, &context), 0);
     N_Vector e = N_VNew_Serial(1, context), weight = N_VNew_Serial(1, context);
     ContactNewton newton;
     long failures = 0;

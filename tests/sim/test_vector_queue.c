@@ -30,7 +30,7 @@ static void vectors_new(Vectors *s, int length, int waits, Team *team, const int
     s->length = length;
     s->family.queue.team = team;
     s->family.queue.pitch = pitch;
-    assert_int_equal(SUNContext_Create(NULL, &s->context), 0);
+    assert_int_equal(SUNContext_Create(SUN_COMM_NULL, &s->context), 0);
     for (int k = 0; k < VECTORS; ++k) {
         s->v[k] = k ? N_VClone(s->v[0])
                     : vector_wrap(length, s->data, largest, &s->length, waits ? &s->family : NULL, s->context);
@@ -51,7 +51,7 @@ static void vectors_free(Vectors *s)
 static double work(Vectors *s)
 {
     N_Vector *const v = s->v;
-    realtype a[3] = {0.3, -1.1, 0.7};
+    sunrealtype a[3] = {0.3, -1.1, 0.7};
     N_Vector three[3] = {v[2], v[0], v[3]}, out[2] = {v[1], v[4]}, in[2] = {v[4], v[1]};
     double norms = 0;
     for (int round = 0; round < 3; ++round) {

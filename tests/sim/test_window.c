@@ -109,7 +109,7 @@ TEST(test_family)
     VectorFamily family = {0};
     double data[3] = {1, 2, 3}, longer[5] = {9, 8, 7, 6, 5};
     const int length = 5;
-    assert_int_equal(SUNContext_Create(NULL, &context), 0);
+    assert_int_equal(SUNContext_Create(SUN_COMM_NULL, &context), 0);
     N_Vector v = vector_wrap(3, data, no_norm, NULL, &family, context), a = N_VClone(v), b = N_VClone(a);
     assert_true(v && a && b);
     assert_int_equal(family.n, 3);
