@@ -1,5 +1,5 @@
-/* LAPACK, loaded when a solver needs it: runs of plain chains never do, and loading it starts a pool of threads where
- * OpenBLAS stands behind it, which spin on the second core. */
+/* LAPACK, loaded when a solver needs it: runs of plain chains never do, and with OpenBLAS loading it starts a pool of
+ * threads, which spin on the second core. */
 #include <dlfcn.h>
 #include <float.h>
 #include <lapacke.h>
@@ -25,12 +25,12 @@ typedef struct Lapack {
     __typeof__(LAPACKE_dggev) *dggev;
 } Lapack;
 
-/* What it takes to load the library, about, bytes. */
+/* Memory needed to load the library, roughly, bytes. */
 enum { LAPACK_ROOM = 1 << 20 };
 
 static void lapack_unload(Lapack *lapack);
 
-/* The function `name` into the pointer at `to`; 0 if the library has none. */
+/* Stores the address of the function `name` at `to`; 0 if the library does not have it. */
 static int function_find(void *library, const char *name, void *to)
 {
     void *const found = dlsym(library, name);
@@ -38,11 +38,11 @@ static int function_find(void *library, const char *name, void *to)
     return found != NULL;
 }
 
-/* Loads the library, for which there is memory; 0 if it is not there. */
+/* Loads the library if there is memory; 0 if it is not installed. */
 static int lapack_load(Lapack *lapack)
 {
-    /* it stays once it is there: to let go of it and to load it again takes a thousand times as long as what is asked
-     */
+    /* it stays loaded: unloading and loading it again takes a thousand times as long as the computation
+     * */
     *lapack = (Lapack){.library = dlopen("liblapacke.so.3", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)};
     if (!lapack->library) return 0;
     int ok = function_find(lapack->library, "LAPACKE_dgetrf_work", &lapack->dgetrf_work);
@@ -58,20 +58,20 @@ static int lapack_load(Lapack *lapack)
     return ok;
 }
 
-/* Lets go of it; may be called on a zeroed struct. */
+/* Releases it; may be called on a zeroed struct. */
 static void lapack_unload(Lapack *lapack)
 {
     if (lapack->library) dlclose(lapack->library);
     *lapack = (Lapack){0};
 }
 
-/* LAPACK's banded and dense LU behind the contract: the yardsticks of tests and benchmarks. */
+/* LAPACK's banded and dense LU behind the same interface: references of tests and benchmarks. */
 
-/* Column-major factors. Band storage after LAPACK: entry (i, j) at lu[2*below + above... row below + above + i - j]. */
+/* Column-major factors. Band storage as in LAPACK: entry (i, j) at lu[2*below + above... row below + above + i - j]. */
 typedef struct LapackSolver {
     Lapack lapack;
     int n, banded;
-    int below, above; /* diagonals under and over the main one */
+    int below, above; /* diagonals below and above the main one */
     int rows;         /* leading dimension of lu */
     double *lu;       /* [rows*n] */
     lapack_int *pivot;
@@ -168,7 +168,8 @@ static int lapack_factor(void *self, const LinMatrix *a)
                                                   s->pivot, norm, &rcond)
                                : s->lapack.dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
     if (told == LAPACK_WORK_MEMORY_ERROR) return -1;
-    return rcond > DBL_EPSILON / 64 ? 0 : 1; /* rows in mixed units cost digits that are no sign of singularity */
+    return rcond > DBL_EPSILON / 64 ? 0 : 1; /* rows in mixed units cost digits, which does not mean that the matrix is
+                                              * singular */
 }
 
 static int lapack_solve(void *self, int count, double *x)
@@ -193,7 +194,7 @@ const LinBackend lapack_backend = {.sparse = 1,
                                    .solve = lapack_solve,
                                    .stats = lapack_stats};
 
-/* DSYGV: vectors come in s. */
+/* DSYGV: the vectors are returned in s. */
 static lapack_int symmetric_pair(const Lapack *lapack, int n, double *s, double *t, double *mu, double *imaginary,
                                  double *z)
 {
@@ -203,7 +204,7 @@ static lapack_int symmetric_pair(const Lapack *lapack, int n, double *s, double 
     return info;
 }
 
-/* DGGEV: eigenvalues are (mu + i imaginary)/beta; an infinite one stays infinite. */
+/* DGGEV: eigenvalues are (mu + i imaginary)/beta; an infinite one remains infinite. */
 static lapack_int general_pair(const Lapack *lapack, int n, double *s, double *t, double *mu, double *imaginary,
                                double *z, double *beta)
 {
@@ -221,7 +222,9 @@ hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu
                           hawser_error *err)
 {
     Lapack lapack;
-    if (!memory_room(LAPACK_ROOM)) return error_memory(err); /* Fortran's library ends the program without */
+    if (!memory_room(LAPACK_ROOM))
+        return error_memory(err); /* Fortran's library ends the program if it has no
+                                   * memory */
     if (!lapack_load(&lapack)) {
         return error_set(err, HAWSER_ERR_RUN, "modes need LAPACK (liblapacke.so.3), which was not found");
     }
