@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* D of (P1) and (P2): the share of the ramp that is done, 0..1. */
+/* D of (P1) and (P2): the completed share of the ramp, 0..1. */
 static double ramp_share(double x, double x0, double x1)
 {
     if (x <= x0) return 0;
@@ -130,7 +130,7 @@ double profile_largest(const Profile *p)
     return most;
 }
 
-/* The first point of a table that no longer rises after it. */
+/* First point of a table after which it no longer rises. */
 static int table_top(const Profile *p)
 {
     int i = 0, top = 0;
