@@ -102,8 +102,7 @@ typedef struct LaneRub {
 /* phi, by_lean, by_slide for a lean of length x at the sliding speed v, m/s; for friction of speed alone x is v (C14),
  * (GR12), (GR13). The coefficient follows the lean by the odd STEP from -1 at -v_s to 1 at v_s, which over x is even in
  * x and smooth at rest: there the law is viscous with 1.5 mu_s/v_s. Between v_s and v_d the coefficient falls by STEP
- * from mu_s to mu_d.
- * */
+ * from mu_s to mu_d. */
 LANE_INLINE void friction_at(const LaneFriction *law, double scale, Lane x, Lane v, LaneRub *rub)
 {
     const Lane per = 1 / law->v_s, share = x * per;

@@ -378,8 +378,7 @@ static int candidate_add(ContactPairs *pairs, int kind, int roller, int face, in
 }
 
 /* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory. Distances
- * change at most as fast as points move, so a sphere that is too far excludes everything inside.
- * */
+ * change at most as fast as points move, so a sphere that is too far excludes everything inside. */
 static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int face, int node)
 {
     const Sphere *sphere = &pairs->tree.node[node];

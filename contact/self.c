@@ -557,8 +557,8 @@ double self_piece_length(const Chain *chain, int e) { return element_length(chai
 /* Largest distance, in elements of a range and at least one, between the feet of a piece's two ends. */
 static double self_feet_apart(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
-    /* one and a half times the length of the piece: less than the half turn to another strand, since pieces are no
-     * longer than the line is thick, or one element if shorter */
+    /* one and a half times the length of the piece, at least one element: less than the half turn to another strand,
+     * since pieces are no longer than the line is thick */
     static const double most = 1.5;
     double shortest = INFINITY;
     for (int f = range->first; f < range->first + range->count; ++f)

@@ -14,8 +14,8 @@ typedef struct SelfLine {
     const Chain *chain;
     const Kinematics *kin;
     int row;
-    int eye; /* from 1: lines of the same number have their heads held apart by one eye, without contact there; 0: none
-              * */
+    int eye; /* from 1: lines of the same number have their heads held apart by one eye, without contact there; 0:
+              * none */
 } SelfLine;
 
 /* One end of a piece, and its foot on the other line. */
@@ -186,8 +186,8 @@ int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const Sel
 /* Updates the gaps of one half if worthwhile; the second returns whether range r may have contact now, by its gap. */
 void self_clear_look(const SelfLines *lines, int part, SelfPairs *pairs);
 int self_clear_apart(const SelfLines *lines, int part, const SelfPairs *pairs, int r);
-/* Adds the forces (N) and moments (N m) of one half of the candidates to loads[line]. friction_scale: as in contact.h.
- */
+/* Adds the forces (N) and moments (N m) of one half of the candidates to loads[line]. friction_scale: as in
+ * contact/roller.h. */
 void self_forces(const SelfModel *model, const SelfLines *lines, double friction_scale, int part, SelfPairs *pairs,
                  Loads *const loads[]);
 /* Adds the derivatives to k, d (of all rows) and, off their diagonals and between lines, to pairs->extras, which is not

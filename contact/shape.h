@@ -132,7 +132,7 @@ int sphere_tree_alloc(SphereTree *tree, int n);
 void sphere_tree_free(SphereTree *tree);
 /* Builds spheres around the elements at their present places, and around runs of them (C19). */
 void sphere_tree_build(SphereTree *tree, ContactGeometry geometry, const Chain *chain, const Kinematics *kin);
-/* ------------------------------------------------------------------- the smooth line at one place (line_spot.c) */
+/* ------------------------------------------------------------------- the smooth line at one place */
 
 /* A point of the line with everything that a contact between two cables needs. */
 typedef struct LineSpot {

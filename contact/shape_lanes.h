@@ -1,5 +1,4 @@
-/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/model.md, "Contact".
- */
+/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/model.md, "Contact". */
 #ifndef HAWSER_CONTACT_SHAPE_LANES_H
 #define HAWSER_CONTACT_SHAPE_LANES_H
 
@@ -277,8 +276,7 @@ static __attribute__((noinline, unused)) void shape_bell(const LaneShape *s, con
 }
 
 /* Distance, normal and curvature of LANES points against the shapes other than cylinders: calls the function of the
- * kind.
- * */
+ * kind. */
 
 /* Result of shape_form, in lanes. */
 typedef union LaneForm {

@@ -646,8 +646,8 @@ static const double TWIST_MIN = 1e-9;
 /* 1/m: an arc with less curvature is made straight. */
 static const double STRAIGHT_MAX = 1e-7;
 
-/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it (RO18).
- */
+/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it
+ * (RO18). */
 static double part_length(const RoutePiece *p)
 {
     const double quarter = p->radius * PI / 2;

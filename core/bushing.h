@@ -9,8 +9,7 @@
 #include "core/machine.h"
 
 /* Accepts a step: the sliders of joints from..to-1 follow the rotations of kin, where these exceed their limits (HY8),
- * into kin->slip. Wrenches at the same kinematics do not change (HY9); their derivatives do.
- * */
+ * into kin->slip. Wrenches at the same kinematics do not change (HY9); their derivatives do. */
 void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to);
 
 /* Adds the derivatives of the bushings' forces and moments to k (with respect to position and rotation, 6x6 blocks

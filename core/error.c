@@ -100,8 +100,7 @@ hawser_status(error_argument)(hawser_error *err, const char *argument)
 
 int memory_room(size_t bytes)
 {
-#ifdef __SANITIZE_ADDRESS__ /* marks every byte of the block twice, which took half the time of tests that read HDF5   \
-                             */
+#ifdef __SANITIZE_ADDRESS__ /* marks every byte of it twice, which took half the time of tests that read HDF5 */
     if (bytes < (size_t)1 << 30) return 1;
 #endif
     void *volatile block = malloc(bytes); /* volatile: otherwise the compiler removes both calls */

@@ -1,8 +1,7 @@
 /* Files read and written completely: an interruption does not end the operation, and an error is not taken for the end
  * of the file. Otherwise a reader would get less than there is, and report a file as empty, truncated or foreign. stdio
  * and jansson have this fault; after they have read, the stream's error is checked (survey/input.h), or the file is
- * read here first.
- * */
+ * read here first. */
 #ifndef HAWSER_CORE_FILE_H
 #define HAWSER_CORE_FILE_H
 

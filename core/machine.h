@@ -1,5 +1,5 @@
-/* The instruction sets for which the *_lanes.c kernels are compiled (cmake/Folder.cmake), and the choice at run time.
- */
+/* The instruction sets for which the *_lanes.c kernels are compiled (cmake/Folder.cmake), and the choice at run
+ * time. */
 #ifndef HAWSER_CORE_MACHINE_H
 #define HAWSER_CORE_MACHINE_H
 

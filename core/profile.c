@@ -84,8 +84,7 @@ static double table_value(const Profile *p, double t)
     return p->value[i] + table_slope(p, i) * (t - p->time[i]);
 }
 
-/* Integral of the table from its first point to t, negative before it: trapezia, exact for straight pieces.
- */
+/* Integral of the table from its first point to t, negative before it: trapezia, exact for straight pieces. */
 static double table_area(const Profile *p, double t)
 {
     const int last = table_interval(p, t);

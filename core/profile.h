@@ -45,8 +45,8 @@ double profile_largest_until(const Profile *p, double until);
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */
 double profile_integral(const Profile *p, double t);
-/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if none.
- */
+/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if
+ * none. */
 int profile_next_corner(const Profile *p, double t, double *corner);
 /* The first corner after t, or `next` if that comes first, s. */
 double profile_corner_before(const Profile *p, double t, double next);

@@ -74,8 +74,7 @@ static RouteKnot knot_after(const RouteKnot *from, RouteKnot way)
     return (RouteKnot){way.u, from->x + way.x, from->along + way.along, from->aside + way.aside};
 }
 
-/* ------------------------------------------------------------------------------------------------ place by arc length
- */
+/* ---------------------------------------------------------------------------------------------- place by arc length */
 
 /* The knot before arc length x: guessed by even steps, then corrected step by step. */
 static const RouteKnot *knot_before(const RouteKnot *knot, int n, double x)
@@ -111,8 +110,8 @@ static RoutePoint cubic_at(const RoutePiece *p, double u)
     return at;
 }
 
-/* Tangent and curvature by heading and slope, position by the plan's coordinates and the height over it: (RO1)-(RO3).
- */
+/* Tangent and curvature by heading and slope, position by the plan's coordinates and the height over it:
+ * (RO1)-(RO3). */
 static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const RouteKnot *plan, double height)
 {
     const RouteCurve *const c = &p->curve;
@@ -461,8 +460,7 @@ double route_turn(const Route *route, double s)
 double route_way(const RoutePoint *at, Vec3 p) { return fmax(1 - v3_dot(v3_sub(p, at->position), at->curvature), 0.1); }
 
 /* Checks whether a step of Newton's iteration leaves less than 1e-10 m: on one piece it leaves the curvature times its
- * square.
- * */
+ * square. */
 static int foot_found(const RoutePoint *before, const RoutePoint *there, double step)
 {
     const double bend2 = fmax(v3_dot(before->curvature, before->curvature), v3_dot(there->curvature, there->curvature));

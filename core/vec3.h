@@ -152,8 +152,7 @@ static inline Quat quat_from_axes(Vec3 ex, Vec3 ey, Vec3 ez)
     return quat_unit(q);
 }
 
-/* The largest and the smallest of several values. fmax(x, NAN) is x: accumulating an error with it loses every NAN.
- * */
+/* The largest and the smallest of several values. fmax(x, NAN) is x: accumulating an error with it loses every NAN. */
 
 /* The larger of the two; NAN if one of them is, so that a NAN is kept to the end of a loop and fails every check of a
  * bound. */

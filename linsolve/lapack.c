@@ -41,8 +41,7 @@ static int function_find(void *library, const char *name, void *to)
 /* Loads the library if there is memory; 0 if it is not installed. */
 static int lapack_load(Lapack *lapack)
 {
-    /* it stays loaded: unloading and loading it again takes a thousand times as long as the computation
-     * */
+    /* it stays loaded: unloading and loading it again takes a thousand times as long as the computation */
     *lapack = (Lapack){.library = dlopen("liblapacke.so.3", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)};
     if (!lapack->library) return 0;
     int ok = function_find(lapack->library, "LAPACKE_dgetrf_work", &lapack->dgetrf_work);

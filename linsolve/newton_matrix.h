@@ -41,8 +41,8 @@ typedef struct NewtonMatrix {
 int newton_inner(const NewtonMatrix *a);
 int newton_size(const NewtonMatrix *a);
 
-/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern only.
- */
+/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern
+ * only. */
 typedef struct Piece {
     int row, col, rows, cols; /* place in the whole matrix */
     const double *value;      /* [rows*cols], column-major */

@@ -10,8 +10,7 @@
  * are the coordinates of their centres. A segment that has passed it stays passed where the route turns back behind the
  * start. */
 int weight_behind(const Scene *scene, const double *const p[3], double past);
-/* The same for n segments with `dims` coordinates; 0 if the lead-in holds the cable and the tail is off its line.
- * */
+/* The same for n segments with `dims` coordinates; 0 if the lead-in holds the cable and the tail is off its line. */
 int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction, int held,
                       double past);
 /* Adds the derivatives of these loads to the diagonal blocks of k and d. */

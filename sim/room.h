@@ -188,8 +188,7 @@ typedef struct MachineKind {
     int n_now, n_kept;
     const char *now[MACHINE_KEPT_MAX];
     void (*keep)(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX]);
-    /* Figures of the run so far, from the kept means; expected: N, the push that theory computes, or NAN.
-     * */
+    /* Figures of the run so far, from the kept means; expected: N, the push that theory computes, or NAN. */
     int n_figures;
     const char *figure[MACHINE_FIGURES_MAX];
     void (*figures)(const Room *room, int i, const TimeMean *kept, double expected, double value[MACHINE_FIGURES_MAX]);

@@ -65,8 +65,7 @@ static hawser_status sinking_run(const void *setup, ValidationLog *log, hawser_e
 }
 
 /* A straight rod that spins about its middle is slowed down by its drag alone: 1/omega grows in proportion to time
- * (VA7).
- * */
+ * (VA7). */
 /* Angular momentum of all segments about their middle, over their inertia: waves along the chain do not affect it. */
 static double spin_of(const Stage *stage, int n)
 {
@@ -569,8 +568,8 @@ static const ValidationCase frame_cases[] = {
 
 const ValidationGroup frame_group = VALIDATION_GROUP(frame_cases);
 
-/* Chains that are free, or hang from one end: quantities that their motion must conserve, and rotation without bending.
- * */
+/* Chains that are free, or hang from one end: quantities that their motion must conserve, and rotation without
+ * bending. */
 
 enum { SEGMENTS = 20 };
 

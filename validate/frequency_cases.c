@@ -1,6 +1,5 @@
 /* Natural frequencies, by two methods: in time, where a rod is started in one of its modes and its changes of direction
- * are timed, through all parts of a simulation including the integrator; and as eigenvalues about the equilibrium.
- * */
+ * are timed, through all parts of a simulation including the integrator; and as eigenvalues about the equilibrium. */
 #include <math.h>
 
 #include "core/vec3.h"

@@ -10,8 +10,8 @@ static const double LENGTH = 58.5, CABLE = 152.5, ROPE = 32.5, SPEED = 0.1; /* m
 
 static double or_usual(double chosen, double usual) { return chosen > 0 ? chosen : usual; }
 
-/* The paper's table 1 and eq. 2: a solid bar of elasticity E and G (Pa), diameter d (m), area A (m2); steel's density.
- */
+/* The paper's table 1 and eq. 2: a solid bar of elasticity E and G (Pa), diameter d (m), area A (m2); steel's
+ * density. */
 static CableDef bar(const char *name, double E, double G, double d, double A, double damping)
 {
     const double J = M_PI * pow(d, 4) / 32;
@@ -125,8 +125,7 @@ hawser_status paper_scene(const PaperChoice *choice, SceneDef *def, hawser_error
  * of the remaining error, each changed by itself. */
 
 /* A real cable's bending stiffness, a twentieth of the solid paper_bar's (references: 9-16 kN m2 tangent); and almost
- * none.
- * */
+ * none. */
 #define REAL_EI 16.4e3 /* N m2 */
 #define LIMP_EI 1.64e3
 

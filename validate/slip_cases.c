@@ -171,8 +171,7 @@ static void drum_add(SceneDef *def, double mu, double inertia)
 }
 
 /* The weights are in the middles of the first and the last segment (slightly inside: beyond, the rod would be cut
- * otherwise).
- * */
+ * otherwise). */
 static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *length, hawser_error *err)
 {
     SceneDef def;

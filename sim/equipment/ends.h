@@ -14,8 +14,8 @@ typedef struct TailPull {
 
 /* Back tension at the tail's end at `end` (m), near the place `near` (m) of the route. */
 TailPull tail_pull(const Scene *scene, double t, Vec3 end, double near);
-/* Place of the tail's end along the route, m, if it was near `near`; `anew`: it may have been laid elsewhere, and if so
- * its place is estimated from the winch's travel alone. */
+/* Place of the tail's end along the route, m, if it was near `near`; `anew`: it may have been laid elsewhere, and
+ * the place is then also sought from the one by the winch's travel. */
 double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew);
 
 /* Places the drag on the first segment of the rope, as long as that is simulated. */

@@ -24,8 +24,7 @@ typedef struct Drum {
  * inertia and the forces of brake, bearing and back tension. docs/model.md, "Reel and take-in" (RL6)-(RL15).
  *
  * Segments join behind the tail between two steps (sim/run/stage.h); within a step everything here is a function of (t,
- * y).
- * */
+ * y). */
 
 /* The line on which the cable leaves the drum, and what is wound on it behind the present tail segment. */
 typedef struct Reel {
@@ -65,8 +64,7 @@ void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable);
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
 /* Computes the reel's figures from the kinematics and the load of joint 1. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
-/* The scene's setup, for theory, with the changes by commands since the scene was built; it borrows from the scene.
- * */
+/* The scene's setup, for theory, with the changes by commands since the scene was built; it borrows from the scene. */
 Setup scene_setup(const Scene *scene);
 
 #endif

@@ -28,8 +28,8 @@ static void state_put(double *y, int n, int i, Vec3 p, Quat q)
     for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
 }
 
-/* Segments are chords of the line, end to end; the ground bodies take the line's own tangent at the rod's ends (RD2).
- * */
+/* Segments are chords of the line, end to end; the ground bodies take the line's own tangent at the rod's ends
+ * (RD2). */
 static void shape_lay(const RodDef *def, const RodLine *line, const Chain *chain, Rod *rod)
 {
     const int n = chain->n;

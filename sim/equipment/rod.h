@@ -55,8 +55,7 @@ int rod_led_parts(const Rod *rod, double t);
 /* Latest time up to `next` until which no end is led by more than 1 rad from its state at t, s: a full turn in one part
  * would be indistinguishable from none. */
 double rod_led_until(const Rod *rod, double t, double next);
-/* Checks for a rod without any constraint: no end is held, and there is nothing on which it could come to rest.
- * */
+/* Checks for a rod without any constraint: no end is held, and there is nothing on which it could come to rest. */
 struct Scene;
 int rod_is_loose(const struct Scene *scene);
 

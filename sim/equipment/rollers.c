@@ -565,7 +565,7 @@ MethodLoss equipment_method_loss(const Equipment *q, const double *e, const doub
 }
 
 /* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
- * rollers on mounts". Their motion is in sim/equipment/rollers.h and roller_motion.h. */
+ * rollers on mounts". sim/equipment/rollers.h has their motion. */
 
 /* A roller that may be held fast or whose friction may change. */
 typedef struct HeldRoller {

@@ -472,8 +472,8 @@ static void winch_blocks(const Room *room, const Moment *m, BlockChain *k, Block
 
 /* ---------------------------------------------------------------------------------------------------- the pull */
 
-/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
- */
+/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without
+ * one. */
 static double winch_pull_now(const Scene *scene, Workspace *ws, double t)
 {
     const Winch *const w = scene->winch;

@@ -14,8 +14,7 @@ typedef struct Closeup {
 } Closeup;
 
 /* Finds the contacts for the kinematics in the workspace, after a dynamics_look; the workspace's loads become scratch.
- * Errors: MEMORY.
- * */
+ * Errors: MEMORY. */
 hawser_status closeup_contacts(Closeup *c, const Scene *scene, Workspace *ws, double t, hawser_error *err);
 /* sample: of the same moment, including its fields. Errors: MEMORY. */
 hawser_status closeup_cable(Closeup *c, const Scene *scene, Workspace *ws, const hawser_sample *sample,

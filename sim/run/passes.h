@@ -1,6 +1,5 @@
 /* Comparison of the passes of one run: each is a level finer in time and length than the one before (docs/model.md,
- * "Error bars", (EB19), (EB20), (EB27) to (EB30)), so that the difference of a figure measures its error.
- * */
+ * "Error bars", (EB19), (EB20), (EB27) to (EB30)), so that the difference of a figure measures its error. */
 #ifndef HAWSER_SIM_RUN_PASSES_H
 #define HAWSER_SIM_RUN_PASSES_H
 
@@ -44,8 +43,7 @@ void other_passes_free(OtherPasses *others);
 /* Updates the error bounds of summary and tables by all passes; jolt: at this one's start, N, or NAN. */
 void other_passes_bars(const OtherPasses *others, const Stats *stats, double jolt, hawser_summary *figures);
 /* Largest share of the mean pull that the segment lengths can have added by the comparison; INFINITY: there is no other
- * pass.
- * */
+ * pass. */
 double other_passes_share(const OtherPasses *others, const hawser_summary *figures);
 /* Difference of the pull's mean, or its peak, from that of the finest pass, N; 0: there is none. */
 double other_passes_apart(const OtherPasses *others, int peak, const hawser_summary *figures);

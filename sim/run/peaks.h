@@ -106,11 +106,10 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
  * pull. */
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
                 hawser_limit *out);
-/* ------------------------------------------------------------------------------- by theory: peaks_theory.c */
+/* ----------------------------------------------------------------------------------------- by theory */
 
 /* Theory with the front at the place that it has reached. With a lead-in, the summary's theory keeps the front at its
- * first place.
- * */
+ * first place. */
 typedef struct PeaksTheory {
     const Expected *at; /* `own`, or the run's */
     Expected own;       /* only its stretch, steps and reference_total */

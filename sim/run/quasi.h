@@ -17,8 +17,7 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err);
 /* Returns to the equations of motion. Does nothing if they are active already. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_end(Sim *s, hawser_error *err);
 /* Amount by which roller r's largest load, `peak` (N), may be too small because of peaks between positions, N (QS10),
- * (QS11).
- * */
+ * (QS11). */
 double quasi_peak_error(const QuasiRun *q, int r, double peak);
 /* Called before and after the stage's own. Errors: MEMORY. */
 void quasi_checkpoint_before(Checkpoint *c, Sim *s);

@@ -110,8 +110,7 @@ double quasi_roller_load(const struct hawser_sim *s, const double *numbers, int 
 /* Time between the last two positions, s; at the first of a stretch, the last step before it. */
 double quasi_step(const QuasiRun *q);
 /* Checks whether the present state is between two positions; interpolates the figures of a look at it (QS6), after the
- * kinematics are computed.
- * */
+ * kinematics are computed. */
 int quasi_between(const struct hawser_sim *s);
 void quasi_mix(struct hawser_sim *s);
 

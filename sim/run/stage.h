@@ -82,8 +82,7 @@ typedef struct Steps {
 /* Makes one step of it to *t, not beyond `stop`. Errors: MEMORY, RUN. */
 hawser_status steps_take(const Steps *s, double stop, double *t, hawser_error *err);
 /* Called before they are saved: checks whether that is possible (RUN), and makes the evaluation from which they
- * continue before the first step.
- * */
+ * continue before the first step. */
 hawser_status steps_ready(const Steps *s, double t, hawser_error *err);
 /* Saves or loads what they need beside the state, which has been read before: integrator, balances, the motion's matrix
  * and its n workspaces. Errors: MEMORY, RUN (with the integrator's state); errors of the checkpoint itself: in c. */

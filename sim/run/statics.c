@@ -328,8 +328,7 @@ static hawser_status put_back(Walk *w, const double *y)
 
 /* Newton's method at time t from `from`, to which the state returns if the method fails. Where a motion is free, e.g. a
  * rod's about its own axis or a ring's inside out, a step that acts as infinity turns rounding errors into large moves
- * along it: shorter steps are tried, from the longest that rounding allows on, and kept where they help (RD23).
- * */
+ * along it: shorter steps are tried, from the longest that rounding allows on, and kept where they help (RD23). */
 static hawser_status attempt(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;

@@ -268,8 +268,7 @@ static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_
     return g->base.scene.def.solver.relax ? relaxed_slopes(g, t, y, err) : HAWSER_OK;
 }
 
-/* --------------------------------------------------------------------------------------------------------- the steps
- */
+/* -------------------------------------------------------------------------------------------------------- the steps */
 
 /* Rates at (t, y), with the contact candidates found there. */
 static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)

@@ -25,8 +25,7 @@ hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, con
 Tangent *tangent_free(Tangent *g);
 /* Called when the run has begun or made a step: it is at (t, y) [motion->size]; y is that of a stage of the base. The
  * first call gives the initial state, which depends on the parameters too (SN13). Errors: RUN (a singular matrix),
- * MEMORY.
- * */
+ * MEMORY. */
 hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *err);
 const TangentFigures *tangent_figures(const Tangent *g);
 /* dy/dp of parameter k now [motion->size]. */

@@ -89,7 +89,7 @@ typedef struct TrustFacts {
 int trust_judge(const TrustFacts *facts, hawser_condition *out);
 /* "energy" of HAWSER_CONDITION_ENERGY and so on, of a run's conditions. */
 const char *trust_name(hawser_condition_kind kind);
-/* ---------------------------------------------------------------------------- belts that share a pull: sharing.c */
+/* ----------------------------------------------------------------------------- belts that share a pull */
 
 /* Sharing by millimetres of cable: its uncertainty is no property of the pull. (WI23) */
 typedef struct Sharing {

@@ -200,7 +200,7 @@ static int links_most(const Bunch *b)
     return most;
 }
 
-/* Ties all chains but ropes to a ring, at their spacing from the rearmost head back. */
+/* Ties all chains except ropes to each other, at the ties' spacing from the rearmost head back. */
 static hawser_status ties_add(Bunch *b, hawser_error *err)
 {
     const TiesDef *const ties = &b->chain[0].scene->def.ties;

@@ -9,8 +9,7 @@
 
 /* Offsets in bytes. A build that has CVODE's sources (HAWSER_CVODE_SOURCES) takes them from its private headers; any
  * other one uses those of 64-bit machines with doubles and 64-bit indices, which a build with the sources on such a
- * machine compares.
- * */
+ * machine compares. */
 #ifdef HAWSER_CVODE_SOURCES
 #include <cvode_impl.h>
 #include <cvode_ls_impl.h>

@@ -486,8 +486,7 @@ static void call_complaint(int code, const char *module, const char *function, c
     snprintf(in->complaint, sizeof in->complaint, "%s", message);
 }
 
-/* ----------------------------------------------------------- the Newton matrix as a SUNDIALS solver (SUNDIALS custom)
- * */
+/* --------------------------------------------------------- the Newton matrix as a SUNDIALS solver (SUNDIALS custom) */
 
 static int solver_setup(SUNLinearSolver s, SUNMatrix a)
 {

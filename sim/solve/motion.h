@@ -21,8 +21,8 @@ typedef struct MotionOps {
     void (*linearise)(Motion *m, double t, const double *y, const double *ydot);
     /* Forms 1 - gamma J at that point, in the reduced form in which it is solved; gamma in s. */
     void (*form)(Motion *m, double gamma);
-    /* Factors it; b becomes the solution of (1 - gamma J) x = b. Both return as linsolver_factor and linsolver_solve.
-     */
+    /* Factors it; b becomes the solution of (1 - gamma J) x = b. Both return as linsolver_factor and
+     * linsolver_solve. */
     int (*factor)(Motion *m);
     int (*solve)(Motion *m, double *b);
     /* Writes weight = 1 / absolute tolerance of every entry. */
@@ -43,8 +43,7 @@ typedef struct MotionOps {
     int (*worst)(const Motion *m, const double *error, const double *weight);
     Vec3 (*place)(const Motion *m, const double *y, int segment);
     /* Scene of such a segment, where segments of several chains are numbered through; *segment becomes its number
-     * there.
-     * */
+     * there. */
     const Scene *(*whose)(const Motion *m, int *segment);
     /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
      * the rollers and, with on_chain, those of all contacts on the chain. Returns the number of contacts that carry

@@ -26,8 +26,8 @@ LANE_INLINE LaneQuat lane_quat_eliminate(Lane3 w, double gamma, LaneQuat p)
     return (LaneQuat){scale * (p.w + turned.w), l3_scale(scale, l3_add(p.u, turned.u))};
 }
 
-/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are 0.
- */
+/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are
+ * 0. */
 LANE_INLINE void vector_load(int n, const double *b, int first, int width, int i, int count, Lane *out)
 {
     for (int c = 0; c < width; ++c) {

@@ -790,8 +790,7 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
     }
 }
 
-/* --------------------------------------------------------------------------------------- candidates, looks
- * */
+/* --------------------------------------------------------------------------------------- candidates, looks */
 
 /* Shares of the reach: distance within which candidates are near; motion per step for which they suffice. */
 static const double NEAR = 1. / 4, NEAR_STEP = 1. / 128;

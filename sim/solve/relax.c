@@ -170,8 +170,7 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
 }
 
 /* An attempt that ends within this many tolerances continues for this many times as long: long chains between guides
- * creep.
- * */
+ * creep. */
 static const double NEAR = 100;
 
 enum { FURTHER = 4 };
@@ -586,8 +585,7 @@ static void blocks_swollen(Relaxation *r, double radius)
     }
 }
 
-/* Longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20).
- * */
+/* Longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20). */
 static double step_downhill(Relaxation *r, double dt)
 {
     newton_form(r->newton, dt);

@@ -21,8 +21,8 @@ typedef struct Tolerances {
 Tolerances scales_tolerances(const Scene *scene);
 /* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
-/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each.
- */
+/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components
+ * each. */
 enum { SCALES_WINDOW = 16 };
 
 double scales_norm(int n, const double *x, const double *weight);

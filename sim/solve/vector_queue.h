@@ -1,7 +1,6 @@
 /* Operations on vectors that are deferred until a number is read: then all of them are done together, piece by piece,
  * while each piece is in the nearest cache. In long chains vectors come from main memory, and the integrator's work
- * between two evaluations uses the same few vectors again and again. docs/performance.md, "Scale".
- * */
+ * between two evaluations uses the same few vectors again and again. docs/performance.md, "Scale". */
 #ifndef HAWSER_SIM_SOLVE_VECTOR_QUEUE_H
 #define HAWSER_SIM_SOLVE_VECTOR_QUEUE_H
 

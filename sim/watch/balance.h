@@ -20,8 +20,7 @@ void balance_leave(Balance *b, Motion *motion, double t, const double *y);
 hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *y, hawser_error *err);
 /* Adds a position in steady motion at (t, y) after the last one, balance_enter before the first (QS13); momentum is
  * carried. It evaluates y; the energy of segments that joined on the way, less that of those that left, is given
- * afterwards, J. Errors: MEMORY.
- * */
+ * afterwards, J. Errors: MEMORY. */
 hawser_status balance_position(Balance *b, Motion *motion, double t, const double *y, hawser_error *err);
 void balance_carry(Balance *b, double energy);
 /* Closes the balances from the beginning to (t, y), which is evaluated; *out remains the balance's. */

@@ -63,8 +63,7 @@ void overlap_record(Overlap *overlap, const SelfLines *lines, const Scene *const
 /* Keeps the sample of t = 0, and the chain's place on its rollers. */
 void passing_start(Passing *passing, const Scene *scene, const Kinematics *kin, const hawser_sample *look);
 /* Length of segments, m, with which the contact forces of the chain would not exceed the allowed one (E8): theirs, or
- * less.
- * */
+ * less. */
 double misfit_segment(const Misfit *start);
 
 #endif

@@ -83,8 +83,7 @@ static Quat attitude_in(const Scene *scene, const double *y, int i)
     return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
 
-/* Finds segment, nearest joint, share of the segment's strain, and the pose at t = 0, when joints are closed.
- * */
+/* Finds segment, nearest joint, share of the segment's strain, and the pose at t = 0, when joints are closed. */
 static void place_fill(const Scene *scene, const double *y, double at, ProbePlace *p)
 {
     const int n = scene->chain.n;

@@ -523,8 +523,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
 /* ------------------------------------------------------------------------------------------ peaks between samples */
 
 /* Excess over the largest value so far above which another look is made: shares of that, and of the largest of its
- * kind.
- * */
+ * kind. */
 static const double NEW_PULL = 1e-3, NEW_OTHER = 1e-2, NEW_OF_ALL = 1e-3;
 
 /* Values of the last step; NAN where there is none. */
@@ -631,8 +630,7 @@ void stats_summary(const Stats *stats, hawser_summary *out)
 static const double STEADY_LOADS = 3, PEAK_LOADS = 2;
 
 /* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load per metre
- * (EB8).
- * */
+ * (EB8). */
 static const double LINE_LOADS = 1;
 
 /* Part of the pull, N, that spinning rollers take off those beside the cable if friction develops at once (EB13). */
