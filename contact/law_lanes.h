@@ -7,11 +7,11 @@
 #include "contact/law.h"
 #include "core/lanes.h"
 
-/* The normal force (C12). All is zero where nothing is pressed. */
+/* The normal force (C12). All members are zero where there is no contact. */
 typedef struct LaneImpact {
     LaneMask touches;      /* where there is a force */
     Lane force, gap, rate; /* N; its derivatives by the gap, N/m, and by the gap's rate, N s/m */
-    Lane loss, energy;     /* W, what the damping takes (BA5); J, in the spring (BA6), cut off or not */
+    Lane loss, energy;     /* W, lost in the damping (BA5); J, in the spring (BA6), cut off or not */
 } LaneImpact;
 
 /* p^(e-1); the exponents that cases mostly use cost no pow(). */
@@ -25,8 +25,8 @@ LANE_INLINE Lane power_less_one(Lane p, double e)
 }
 
 /* (C12): references.md, IMPACT with x = gap (m), x1 = 0; rate in m/s. The damping rises with the penetration, so that
- * the force starts from zero however fast the bodies meet; where damping would pull them together the force is cut off
- * at zero, and takes all that the spring has. A gap that is not a number touches nothing: the caller sees it in the
+ * the force starts from zero at any speed; where damping would pull the bodies together the force is cut off at zero,
+ * and the damping takes all of the spring's energy. A gap that is NaN is no contact: the caller detects it in the
  * state. */
 LANE_INLINE LaneImpact impact_at(const ImpactLaw *law, Lane gap, Lane rate, LaneMask may)
 {
@@ -46,7 +46,7 @@ LANE_INLINE LaneImpact impact_at(const ImpactLaw *law, Lane gap, Lane rate, Lane
 }
 
 /* (PS11): the same law as a straight line about the depth at which the spring alone has the force `presumed` (N): where
- * that is zero nothing is pressed, and elsewhere the force may be below zero. Neither loss nor energy. */
+ * that is zero there is no contact, elsewhere the force may be below zero. No loss, no energy. */
 LANE_INLINE LaneImpact impact_about(const ImpactLaw *law, Lane presumed, Lane gap, Lane rate)
 {
     const Lane zero = lane_set(0), one = lane_set(1);
@@ -75,7 +75,7 @@ LANE_INLINE LaneFriction friction_spread(const FrictionLaw *law)
     return (LaneFriction){lane_set(law->mu_s), lane_set(law->mu_d), lane_set(law->v_s), lane_set(law->v_d)};
 }
 
-/* A law a lane. */
+/* One law per lane. */
 LANE_INLINE LaneFriction friction_gather(const FrictionLaw *const law[LANES])
 {
     LaneFriction f;
@@ -88,7 +88,7 @@ LANE_INLINE LaneFriction friction_gather(const FrictionLaw *const law[LANES])
     return f;
 }
 
-/* Friction of LANES contacts, and what those that stick know. */
+/* Friction of LANES contacts, and the state of those that stick. */
 typedef struct LaneRub {
     Lane3 lean;             /* x (GR11), m/s; friction of speed alone: v_t */
     Lane phi;               /* mu/|x|, s/m, friction scale included */
@@ -99,11 +99,10 @@ typedef struct LaneRub {
     Lane elapsed; /* tau, s since that step */
 } LaneRub;
 
-/* phi, by_lean, by_slide for a lean of length x at the sliding speed v, m/s; of speed alone x is v (C14), (GR12),
- * (GR13). The lean calls the coefficient up by the odd STEP from -1 at -v_s to 1 at v_s, which over x is even in x and
- * smooth at rest: there the law is viscous with 1.5 mu_s/v_s. Between v_s and v_d the coefficient falls by STEP from
- * mu_s to mu_d.
- */
+/* phi, by_lean, by_slide for a lean of length x at the sliding speed v, m/s; for friction of speed alone x is v (C14),
+ * (GR12), (GR13). The coefficient follows the lean by the odd STEP from -1 at -v_s to 1 at v_s, which over x is even in
+ * x and smooth at rest: there the law is viscous with 1.5 mu_s/v_s. Between v_s and v_d the coefficient falls by STEP
+ * from mu_s to mu_d. */
 LANE_INLINE void friction_at(const LaneFriction *law, double scale, Lane x, Lane v, LaneRub *rub)
 {
     const Lane per = 1 / law->v_s, share = x * per;
@@ -119,8 +118,8 @@ LANE_INLINE void friction_at(const LaneFriction *law, double scale, Lane x, Lane
     rub->by_slide = mu_by * called / lane_at_least(v, 1e-300);
 }
 
-/* The friction against the normal n at the sliding velocity `slide`; where it sticks, of bristles whose lean is kept
- * (GR11)-(GR13). sticks is a constant, and what is not asked for is not evaluated. */
+/* Friction against the normal n at the sliding velocity `slide`; where it sticks, that of bristles with kept leans
+ * (GR11)-(GR13). sticks is a constant: code that it excludes is not compiled. */
 LANE_INLINE void rub_find(LaneRub *rub, const LaneFriction *law, double scale, Lane3 n, Lane3 slide, int sticks)
 {
     rub->lean = slide;
@@ -136,10 +135,10 @@ LANE_INLINE void rub_find(LaneRub *rub, const LaneFriction *law, double scale, L
     friction_at(law, scale, lane_sqrt(l3_dot(rub->lean, rub->lean)), lane_sqrt(l3_dot(slide, slide)), rub);
 }
 
-/* F / N: the normal, less what friction takes (C13), (GR13). */
+/* F / N: the normal less the friction (C13), (GR13). */
 LANE_INLINE Lane3 rub_direction(const LaneRub *rub, Lane3 n) { return l3_axpy(n, -rub->phi, rub->lean); }
 
-/* What it takes for each N of normal force, m/s (BA5). */
+/* Loss per N of normal force, m/s (BA5). */
 LANE_INLINE Lane rub_loss(const LaneRub *rub, Lane3 slide) { return rub->phi * l3_dot(rub->lean, slide); }
 
 /* d(F/N) for changes of the normal and of the surface velocity v_s = slide + slip_normal n (C16), (GR14). */
@@ -159,8 +158,8 @@ LANE_INLINE Lane3 rub_direction_by(const LaneRub *rub, Lane3 n, Lane3 slip, Lane
     return l3_sub(normal_by, l3_axpy(l3_scale(phi_by, rub->lean), rub->phi, lean_by));
 }
 
-/* What a step that ends here leaves in the bristles: the lean of displacement alone, at most d_s (GR12). Zero where
- * there is no bristle. */
+/* Lean of the bristles if the step ends here: of displacement alone, at most d_s (GR12). Zero where there is no
+ * bristle. */
 LANE_INLINE Lane3 rub_keep(const LaneRub *rub, const LaneFriction *law, Lane3 n, Lane3 slide)
 {
     const Lane zero = lane_set(0), one = lane_set(1);
@@ -172,15 +171,15 @@ LANE_INLINE Lane3 rub_keep(const LaneRub *rub, const LaneFriction *law, Lane3 n,
     return l3_scale(lane_select(bristle, share, zero), now);
 }
 
-/* Sums over the contacts of one call, kept lane by lane so that none waits for the one before it; in space and in the
+/* Sums over the contacts of one call, kept lane by lane so that no sum waits for the one before it; in space and in the
  * plane. docs/model.md, "Balances". */
 
 typedef struct TallyLanes {
     double friction[LANES], damping[LANES], energy[LANES], force[3][LANES]; /* in the plane force[2] stays zero */
 } TallyLanes;
 
-/* Adds lane l of what a push takes out of the motion (friction, damping), holds (energy) and does to the cable (total,
- * of `dims` components). */
+/* Adds lane l of a contact's losses (friction, damping), stored energy (energy) and force on the cable (total, of
+ * `dims` components). */
 static inline void tally_add(TallyLanes *sum, const double *friction, const double *damping, const double *energy,
                              const double total[][LANES], int dims, int l)
 {

@@ -1,4 +1,4 @@
-/* One lane of the laws, for what is one contact at a time. */
+/* One lane of the laws, for a single contact. */
 #include "contact/law_lanes.h"
 #include <assert.h>
 

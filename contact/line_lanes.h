@@ -17,7 +17,7 @@ typedef struct Line {
     LaneBody body[2];
     LaneShares shares;
     LaneShape shape;
-    LaneForm form; /* of kinds beside the cylinder */
+    LaneForm form; /* of shapes other than cylinders */
     ShapeKind kind;
 } Line;
 
@@ -100,7 +100,7 @@ LANE_INLINE Lane line_nearest(const Line *line, int grooved, LaneMask *interior)
     enum { NEWTON = 20, MOST = 80 };
     const Lane zero = lane_set(0), one = lane_set(1), close = lane_set(1e-10);
     const LinePoint start = line_at(line, grooved, zero), end = line_at(line, grooved, one);
-    /* what does not change its sign is clamped: to the end where the gap is least */
+    /* where the sign does not change the point is clamped: to the end where the gap is least */
     *interior = (start.slope < zero) & (end.slope >= zero);
     const Lane s0 = start.probe.scale * start.slope, s1 = end.probe.scale * end.slope;
     Lane u = lane_select(*interior, s0 / (s0 - s1), lane_select(start.slope < zero, one, zero));
@@ -114,7 +114,7 @@ LANE_INLINE Lane line_nearest(const Line *line, int grooved, LaneMask *interior)
         high = lane_select(at.slope < zero, high, u);
         const Lane newton = u - at.slope / at.curvature;
         LaneMask inside = (newton >= low) & (newton <= high);
-        /* before a hollow wall the gap may have a maximum between two minima: not what is looked for (GR7) */
+        /* before a concave wall the gap may have a maximum between two minima, which is not a contact (GR7) */
         if (grooved) inside &= at.curvature > zero;
         const Lane middle = (low + high) / 2;
         const Lane next = i < NEWTON ? lane_select(inside, newton, middle) : middle;

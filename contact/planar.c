@@ -1,5 +1,5 @@
-/* The same corridor as in contact.c: hits_find (cheap, over all candidates) -> batch_fill -> a kernel -> scatter, in
- * the order of the hits. Nothing here allocates. */
+/* The same steps as in contact/roller.c: hits_find (cheap, over all candidates) -> batch_fill -> a kernel -> scatter,
+ * in the order of the hits. Nothing here allocates. */
 #include "contact/planar.h"
 
 #include <assert.h>
@@ -8,7 +8,7 @@
 
 #include "contact/law_lanes.h"
 
-/* Room was made by the refresh: a candidate is a hit at most once. */
+/* The refresh has made room: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, int roller, int element)
 {
     assert(pairs->n_hits < pairs->hits_allocated);
@@ -29,7 +29,7 @@ static void hits_smooth(const PlanarContactKernels *kernel, const PlanarContactM
     }
 }
 
-/* Capsules: every one has its own minimum, if it is near enough. */
+/* Capsules: each near enough has its own minimum. */
 static void hits_cylinder(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                           ContactRange range, ContactPairs *pairs)
 {
@@ -56,7 +56,7 @@ static void hits_find(const PlanarContactModel *model, const PlanarChain *chain,
 }
 
 /* Distance of the roller from the sphere around an element of the smooth line (C18); at the line's ends, around half of
- * the segment. m, below zero where the sphere reaches it. */
+ * the segment. m, negative if the sphere reaches it. */
 static double element_gap(const PlanarRoller *roller, const PlanarChain *chain, const PlanarKinematics *kin, int e)
 {
     const int j = e > 0 ? e - 1 : 0, k = e < chain->n ? e : chain->n - 1;
@@ -77,7 +77,7 @@ void planar_contact_narrow(const PlanarContactModel *model, const PlanarChain *c
         ContactRange range = pairs->range[i];
         const PlanarRoller *const roller = &model->roller[range.roller];
         int last = range.first + range.count - 1;
-        /* !(... > reach): what is not a number is near */
+        /* !(... > reach): a NaN counts as near */
         while (last >= range.first && element_gap(roller, chain, kin, range.first) > reach) ++range.first;
         while (last >= range.first && element_gap(roller, chain, kin, last) > reach) --last;
         range.count = last - range.first + 1;
@@ -118,7 +118,7 @@ static void batch_hit(PlanarBatch *batch, const PlanarContactModel *model, const
 }
 
 /* Gathers hits from `first` on; returns the first that does not fit. Unused lanes repeat the last hit, so that the
- * kernels see valid numbers; they are not scattered. */
+ * kernels get valid numbers; they are not scattered. */
 static int batch_fill(PlanarBatch *batch, const PlanarContactModel *model, const PlanarChain *chain,
                       const PlanarKinematics *kin, const ContactPairs *pairs, int first)
 {
@@ -157,7 +157,7 @@ void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *c
         kernel->push(&batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             tally_add(&tally, push.friction, push.damping, push.energy, push.total, 2,
-                      l); /* also what carries no force: damping may take all that the spring has */
+                      l); /* also those without force: damping may take all of the spring's energy */
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);

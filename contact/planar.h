@@ -1,5 +1,6 @@
 /* Contact of a chain that moves in a plane with fixed rollers whose axes are normal to it: circles. The same line,
- * ownership of contacts and laws as in contact.h, so that the forces are those in space. docs/model.md, "Planar chain".
+ * ownership of contacts and laws as in contact/roller.h, so that the forces are those in space. docs/model.md, "Planar
+ * chain".
  *
  * The candidates are those that contact_refresh found in space. */
 #ifndef HAWSER_CONTACT_PLANAR_H
@@ -16,7 +17,7 @@ typedef struct PlanarRoller {
     FrictionLaw friction;
 } PlanarRoller;
 
-/* What never changes during a run. */
+/* Data that never change during a run. */
 typedef struct PlanarContactModel {
     ContactGeometry geometry;
     ImpactLaw impact;
@@ -25,14 +26,13 @@ typedef struct PlanarContactModel {
 } PlanarContactModel;
 
 /* Adds forces (N) and moments (N m) on the segments to loads; pairs holds the candidates. friction_scale multiplies
- * every friction coefficient. on_roller[n_rollers] (NULL: not wanted) is overwritten by the size of the force on each
- * roller, N. */
+ * every friction coefficient. on_roller[n_rollers] (NULL: not required) is overwritten by the force on each roller,
+ * N. */
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarLoads *loads, double (*on_roller)[2]);
 
-/* Keeps of the candidates those that are within `reach` (m) of their roller, as `near`, which is what the forces look
- * at: (C19) with the spheres (C18). Of a roller's ranges the part between its first and its last near element. Capsules
- * are all kept. */
+/* Keeps those candidates that are within `reach` (m) of their roller as `near`, which the forces use: (C19) with the
+ * spheres (C18). Of a roller's ranges the part between its first and its last near element. Capsules are all kept. */
 void planar_contact_narrow(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double reach, ContactPairs *pairs);
 
@@ -42,7 +42,7 @@ void planar_contact_blocks(const PlanarContactModel *model, const PlanarChain *c
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
-/* What planar_contact_lanes.c offers to planar_contact.c, once for every instruction set. */
+/* The kernels of contact/planar_lanes.c, once for every instruction set. */
 /* Up to LANES hits, gathered; the last one is repeated in unused lanes. Bodies [0, 1] are an element's two segments; a
  * missing one is all zeros. Vectors are [component][lane]. */
 typedef struct PlanarBatch {
@@ -62,13 +62,13 @@ typedef struct PlanarBatch {
     int roller[LANES];
 } PlanarBatch;
 
-/* What a batch does to its segments. */
+/* Loads of a batch on its segments. */
 typedef struct PlanarPush {
     _Alignas(64) double force[2][2][LANES]; /* N, on the two bodies */
     double moment[2][LANES];                /* N m, about their centres */
     double total[2][LANES];                 /* N, on the cable */
     double normal[LANES];                   /* N */
-    double friction[LANES], damping[LANES]; /* W, what they take (BA5) */
+    double friction[LANES], damping[LANES]; /* W, loss (BA5) */
     double energy[LANES];                   /* J, in the spring (BA6) */
 } PlanarPush;
 

@@ -1,4 +1,4 @@
-/* The kernels of planar_contact.h for one instruction set. */
+/* The kernels of contact/planar.h for one instruction set. */
 #include "contact/planar_lanes.h"
 
 /* The sign of the gap's slope at the centres of LANES segments from i: that of (x - c) . a. */
@@ -7,8 +7,8 @@ LANE_INLINE Lane slopes_at(const PlanarKinematics *kin, Lane2 centre, int i)
     return l2_dot(l2_sub(l2_load(kin->p, i), centre), l2_load(kin->a, i));
 }
 
-/* Eight elements at a time. The slopes at their first nodes are computed again, not kept from the elements before: that
- * is cheaper than to wait for what was just stored. */
+/* Eight elements at a time. The slopes at their first nodes are computed again instead of being kept from the elements
+ * before: that is cheaper than waiting for what was just stored. */
 static int kernel_owners(const PlanarRoller *roller, const PlanarKinematics *kin, int n, int first, int end,
                          int *element)
 {
@@ -51,7 +51,7 @@ LANE_INLINE Lane2 vary_force(const PlanarContact *c, Lane angle, Lane gap, Lane 
     return l2_axpy(l2_scale(normal + c->drag * angle, c->at.normal), push->force * angle - drag, c->tangent);
 }
 
-/* A variation of one body's configuration, and what it does at fixed u: to P, P', its arm and the velocity at P. */
+/* A variation of one body's configuration, and its effect at fixed u: on P, P', its arm and the velocity at P. */
 typedef struct PlanarShift {
     int body;
     Lane2 p, p1, r, pdot;
@@ -93,7 +93,7 @@ LANE_INLINE void column_shift(const PlanarContact *c, const PlanarLine *line, co
     }
 }
 
-/* A velocity column: nothing moves, only velocities change. */
+/* A velocity column: places stay, only velocities change. */
 LANE_INLINE void column_speed(const PlanarContact *c, Lane2 pdot, Lane omega, double rows[6][LANES])
 {
     const Lane slide = l2_dot(c->tangent, pdot) - c->at.radius * omega;
@@ -103,7 +103,7 @@ LANE_INLINE void column_speed(const PlanarContact *c, Lane2 pdot, Lane omega, do
     }
 }
 
-/* The columns of body b: two shifts, a turn; two velocities, an angular velocity. */
+/* The columns of body b: two displacements, a rotation; two velocities, an angular velocity. */
 LANE_INLINE void body_columns(const PlanarContact *c, const PlanarLine *line, int b, PlanarContactMatrix *k,
                               PlanarContactMatrix *d)
 {
@@ -145,7 +145,7 @@ static double kernel_moved(const PlanarChain *chain, const PlanarKinematics *kin
         const Lane2 dp = l2_sub(l2_load(kin->p, i), l2_load(at_p, i));
         const Lane2 da = l2_sub(l2_load(kin->a, i), l2_load(at_a, i));
         const Lane moved = lane_sqrt(l2_dot(dp, dp)) + lane_load(chain->half + i) * lane_sqrt(l2_dot(da, da));
-        /* what pads the arrays may be anything, the head's ghost among it */
+        /* the padding of the arrays is arbitrary; it includes the head's ghost */
         const LaneMask there = lane_load(chain->inverse_mass + i) > lane_set(0);
         strange |= there & ~(moved >= 0);
         most = lane_select(there & (moved > most), moved, most);

@@ -77,7 +77,7 @@ LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
     return at;
 }
 
-/* Distance from the circle's centre; the centre itself has one too, so that nothing is divided by zero. */
+/* Distance from the circle's centre; at the centre itself it is positive too, so that nothing is divided by zero. */
 LANE_INLINE Lane planar_rho(Lane2 p)
 {
     const Lane square = l2_dot(p, p), tiny = lane_set(1e-60);
@@ -109,10 +109,10 @@ LANE_INLINE void planar_end_slopes(const PlanarLine *line, Lane *start, Lane *en
     *end = l2_dot(at_last, l2_axpy(l2_scale(beta[0][1], j->r), beta[1][1] + chord, k->r));
 }
 
-/* Parameter of the nearest point (C11): Newton between bounds that close in, bisection where it leaves them. Unlike in
- * space, what is made zero is rho g' = (P - c).P' - rho rc': for a straight line it is linear in u, so that the start,
- * which is the secant's, is exact; and only where the radius changes does it need a root. A lane that has converged is
- * left alone. */
+/* Parameter of the nearest point (C11): Newton between shrinking bounds, bisection where it leaves them. Unlike in
+ * space, the root is that of rho g' = (P - c).P' - rho rc': for a straight line it is linear in u, so that the start,
+ * which is the secant's, is exact; and only where the radius changes does it need a square root. A lane that has
+ * converged is left alone. */
 LANE_INLINE Lane planar_nearest(const PlanarLine *line, LaneMask *interior)
 {
     enum { NEWTON = 20, MOST = 80 };
@@ -148,7 +148,7 @@ LANE_INLINE Lane planar_nearest(const PlanarLine *line, LaneMask *interior)
 
 /* A contact with its force. */
 typedef struct PlanarContact {
-    LaneMask interior; /* the minimum is inside the element: it moves along it */
+    LaneMask interior; /* the minimum is inside the element: the contact moves along it */
     PlanarPoint at;
     Lane2 tangent;   /* J n */
     Lane2 pdot;      /* velocity of the line's material at P, m/s */

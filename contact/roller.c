@@ -1,5 +1,5 @@
-/* The corridor of a call: hits_find (cheap, over all candidates) -> batch_fill (gathers LANES hits) -> a
- * kernel (nearest point, laws, derivatives) -> scatter, in the order of the hits. Nothing here allocates. */
+/* The steps of a call: hits_find (cheap, over all candidates) -> batch_fill (gathers LANES hits) -> a kernel (nearest
+ * point, laws, derivatives) -> scatter, in the order of the hits. Nothing here allocates. */
 #include "contact/roller.h"
 
 #include <assert.h>
@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/lanes.h"
 
-/* Room was made by the refresh: a candidate is a hit at most once. */
+/* The refresh has made room: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, ContactRange range, int element)
 {
     assert(pairs->n_hits < pairs->hits_allocated);
@@ -37,7 +37,7 @@ static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const 
     }
 }
 
-/* Capsules: every one has its own minimum, if it is near enough. */
+/* Capsules: each near enough has its own minimum. */
 static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, const Chain *chain, const Kinematics *kin,
                           ContactRange range, ContactPairs *pairs)
 {
@@ -49,7 +49,7 @@ static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, cons
     }
 }
 
-/* All places worth a closer look, in the order of the candidates. */
+/* Finds all places that need evaluation, in the order of the candidates. */
 static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
 {
     const ContactKernels *const kernel = contact_kernels();
@@ -79,7 +79,7 @@ static void batch_body(ContactBatch *batch, const Chain *chain, const Kinematics
     }
 }
 
-/* What lane l's kind of shape has beside a cylinder's numbers. */
+/* Data of lane l's shape beside those of a cylinder. */
 static void batch_form(ContactBatch *batch, const Shape *shape, int l)
 {
     double value[SHAPE_FORM];
@@ -136,7 +136,7 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
     while (batch->count < LANES && first + batch->count < pairs->n_hits &&
            pairs->hit[first + batch->count].kind == kind)
         ++batch->count;
-    /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
+    /* unused lanes repeat the last hit, so that the kernels get valid numbers; they are not scattered */
     for (int l = 0; l < LANES; ++l) {
         const int h = l < batch->count ? first + l : first + batch->count - 1;
         const ContactHit hit = pairs->hit[h];
@@ -148,7 +148,7 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
     return first + batch->count;
 }
 
-/* The kernels that do for the batch no more than it needs. */
+/* The kernels with the least work that the batch needs. */
 static ContactVariant batch_variant(const ContactModel *model, const ContactBatch *batch)
 {
     const int sticks = batch->rubs == FRICTION_STICK;
@@ -163,7 +163,7 @@ static void batch_push(const ContactModel *model, const ContactBatch *batch, Con
     contact_kernels()->push[batch_variant(model, batch)](batch, push);
 }
 
-/* Whether lane l, with that normal force, takes part: a line about a presumed force may also pull (PS11). */
+/* Checks whether lane l, with that normal force, counts: a line about a presumed force may also pull (PS11). */
 static int batch_counts(const ContactBatch *batch, const double normal[LANES], int l)
 {
     return normal[l] > 0 || (batch->presumes && batch->presumed[l] > 0);
@@ -193,10 +193,10 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            /* also what carries no force: damping may take all that the spring has */
+            /* also those without force: damping may take all of the spring's energy */
             tally_add(&tally, push.friction, push.damping, push.energy, push.total, 3, l);
             if (!batch_counts(&batch, push.normal, l)) continue;
-            /* only what carries force is added: the others' lanes are zeros */
+            /* only contacts with force are added: the others' lanes are zeros */
             ++pairs->active;
             push_add(&batch, &push, l, loads);
             const int r = batch.roller[l];
@@ -209,7 +209,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
     pairs->tally = tally_total(&tally);
 }
 
-/* What involves the roller, the third body, of lane l. */
+/* Derivatives of lane l that involve the roller, the third body. */
 static RollerCoupling coupling_of(const ContactBatch *batch, const ContactMatrix *const m[2], int l)
 {
     RollerCoupling c = {.roller = batch->roller[l], .body = {batch->body[0][l], batch->body[1][l]}};
@@ -248,7 +248,7 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
     }
 }
 
-/* One lane for the outside. */
+/* One lane in the public form. */
 static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *push, int l)
 {
     return (ContactDetail){.roller = batch->roller[l],
@@ -283,7 +283,7 @@ void contact_presume(const ContactModel *model, const Chain *chain, const Kinema
     ContactBatch batch;
     ContactPush push;
     const double *const given = pairs->presumed;
-    pairs->presumed = NULL; /* gaps alone are asked for */
+    pairs->presumed = NULL; /* only gaps are required */
     memset(force, 0, 2 * (size_t)model->n_rollers * sizeof *force);
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
@@ -300,7 +300,7 @@ void contact_presume(const ContactModel *model, const Chain *chain, const Kinema
     pairs->presumed = given;
 }
 
-/* The contacts that carry force are looked at once more, for how far each leans. */
+/* Evaluates the contacts that carry force once more to find their leans. */
 void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t, ContactPairs *pairs)
 {
     StickStore *const store = &pairs->stick;
@@ -322,9 +322,8 @@ void contact_accept(const ContactModel *model, const Chain *chain, const Kinemat
     stick_accept(store, t, n);
 }
 
-/* Which elements can touch which roller: a tree of spheres over the chain, asked once a refresh. The chain's
- * own order is the spatial order, so the tree needs no sorting, and it knows nothing about shapes but their
- * distance. */
+/* Finds the elements that can touch each roller: a tree of spheres over the chain, searched once per refresh. The
+ * chain's own order is the spatial order, so the tree needs no sorting; of shapes it uses only the distance. */
 
 int contact_pairs_alloc(ContactPairs *pairs, int n)
 {
@@ -366,7 +365,7 @@ static int range_add(ContactPairs *pairs, ContactRange range)
     return 1;
 }
 
-/* Element e is a candidate of this face of a roller: it lengthens the last range or begins a new one. */
+/* Adds element e as a candidate of this face of a roller: it extends the last range or begins a new one. */
 static int candidate_add(ContactPairs *pairs, int kind, int roller, int face, int e)
 {
     ContactRange *last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
@@ -378,9 +377,8 @@ static int candidate_add(ContactPairs *pairs, int kind, int roller, int face, in
     return range_add(pairs, (ContactRange){kind, roller, face, e, 1});
 }
 
-/* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory.
- * Distances change at most as fast as points move, so a sphere that is too far rules out all that it holds.
- */
+/* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory. Distances
+ * change at most as fast as points move, so a sphere that is too far excludes everything inside. */
 static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int face, int node)
 {
     const Sphere *sphere = &pairs->tree.node[node];
@@ -450,7 +448,7 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
     if (contact_sticks(model) && !stick_reserve(&pairs->stick, model->n_rollers, pairs->hits_allocated)) {
         return error_memory(err);
     }
-    /* where everything was, for contact_moved_too_far */
+    /* positions for contact_moved_too_far */
     line_stand(kin, pairs->n, pairs->at_p, pairs->at_a);
     return HAWSER_OK;
 }
@@ -461,7 +459,7 @@ int contact_moved_too_far(const ContactModel *model, const Chain *chain, const K
     return line_moved(chain, kin, pairs->at_p, pairs->at_a, CONTACT_USABLE * model->reach);
 }
 
-/* Whether all of a list are ranges of the model's rollers over the chain; *pairs counts their elements. */
+/* Checks whether all of a list are ranges of the model's rollers over the chain; *pairs counts their elements. */
 static int ranges_are(const ContactModel *model, const ContactRange *range, int n, int segments, long *pairs)
 {
     const int elements = element_count(model->geometry, segments);

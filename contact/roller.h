@@ -1,4 +1,4 @@
-/* What contact_lanes.c and contact_blocks_lanes.c offer to contact.c, once for every instruction set. */
+/* The kernels of contact/roller_lanes.c, once for every instruction set. */
 #ifndef HAWSER_CONTACT_ROLLER_H
 #define HAWSER_CONTACT_ROLLER_H
 
@@ -23,7 +23,7 @@ typedef struct ContactBatch {
     double centre[3][LANES], axis[3][LANES]; /* of the shape, m and unit */
     double shape_radius[LANES], shape_half_width[LANES];
     double roller_v[3][LANES], roller_w[3][LANES]; /* of the roller, m/s and rad/s; set where rollers move */
-    double form[SHAPE_FORM][LANES];                /* of kinds beside the cylinder: shape_form */
+    double form[SHAPE_FORM][LANES];                /* of shapes other than cylinders: shape_form */
     ShapeKind kind;                                /* of all lanes */
     FrictionKind rubs;                             /* likewise; FRICTION_NONE too where friction_scale is 0 */
     double kept[3][LANES];                         /* where it sticks: s0 of each contact, m */
@@ -31,8 +31,8 @@ typedef struct ContactBatch {
     const FrictionLaw *friction[LANES];
     const ImpactLaw *impact;
     double friction_scale;
-    int presumes;           /* whether the law is a line about: */
-    double presumed[LANES]; /* N, of each contact (PS11); set where it is */
+    int presumes;           /* 1: the law is a line about: */
+    double presumed[LANES]; /* N, of each contact (PS11); set with `presumes` */
     int count;
     int body[2][LANES];
     int roller[LANES], face[LANES], element[LANES];
@@ -48,18 +48,18 @@ static inline void batch_put(double a[3][LANES], int l, Vec3 v)
     a[2][l] = v.z;
 }
 
-/* What a batch does to its segments. */
+/* Loads of a batch on its segments. */
 typedef struct ContactPush {
     _Alignas(64) double force[2][3][LANES]; /* N, on the two bodies */
     double moment[2][3][LANES];             /* N m, about their centres */
     double total[3][LANES];                 /* N, on the cable */
     double normal[LANES];                   /* N */
-    double friction[LANES], damping[LANES]; /* W, what they take (BA5) */
+    double friction[LANES], damping[LANES]; /* W, loss (BA5) */
     double energy[LANES];                   /* J, in the spring (BA6) */
     double u[LANES], gap[LANES];
     double point[3][LANES];         /* m, on the line */
     double roller_moment[3][LANES]; /* N m, on the roller about its centre; set where rollers move */
-    double kept[3][LANES];          /* where it sticks: s, m, should the step end here */
+    double kept[3][LANES];          /* where it sticks: s, m, if the step ends here */
 } ContactPush;
 
 /* Derivatives of the bodies' [force moment] with respect to their [x phi] or [v w]: [rows * column + row][lane], with
@@ -90,7 +90,7 @@ static inline void matrix_add(const ContactMatrix *m, int rows, int l, int j, in
     matrix_part_add(m, rows, l, 1, 0, out->lower + 36 * k);
 }
 
-/* Every kernel exists for several kinds of batches, so that a batch pays for nothing that it does not have. */
+/* Every kernel exists for several kinds of batches, so that a batch does no work that it does not need. */
 typedef enum ContactVariant {
     VARIANT_PLAIN,       /* cylinders that do not move, friction of speed */
     VARIANT_SMOOTH,      /* cylinders that do not move, no friction */
@@ -104,7 +104,7 @@ enum { CONTACT_VARIANTS = 6 };
 
 typedef void ContactPushKernel(const ContactBatch *batch, ContactPush *out);
 
-/* returns 0, and writes nothing, if no hit of the batch carries force; 2, and leaves d, if no force depends on a
+/* returns 0, and writes nothing, if no hit of the batch carries force; 2, without writing d, if no force depends on a
  * velocity; else 1. normal[lane] is each hit's force, N */
 typedef int ContactColumnsKernel(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
 
@@ -120,40 +120,39 @@ typedef struct ContactKernels {
 
 ISA_KERNELS(ContactKernels, contact_kernels)
 
-/* Contact between the cable's line and rollers, fixed or moving: which pairs can touch, their forces, and the
+/* Contact between the cable's line and rollers, fixed or moving: pairs that can touch, their forces, and the
  * derivatives of these. docs/model.md, "Contact".
  *
- * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as
- * soon as contact_moved_too_far says so (between steps) -> contact_pairs_free. Forces are pure functions of
- * chain and kinematics as long as nothing has moved by `reach` since the refresh; the sums are taken in a
- * fixed order. */
+ * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as soon as
+ * contact_moved_too_far returns 1 (between steps) -> contact_pairs_free. Forces are pure functions of chain and
+ * kinematics as long as nothing has moved by `reach` since the refresh; the sums are taken in a fixed order. */
 
 typedef struct ContactRoller {
     Shape shape;
     FrictionLaw friction;
 } ContactRoller;
 
-/* How a roller moves: velocity of its centre, m/s, and angular velocity, rad/s, world. */
+/* Motion of a roller: velocity of its centre, m/s, and angular velocity, rad/s, world. */
 typedef struct RollerMotion {
     Vec3 v, w;
 } RollerMotion;
 
-/* What the cable does to a roller: force, N, and moment about its centre, N m. */
+/* Load of the cable on a roller: force, N, and moment about its centre, N m. */
 typedef struct RollerLoad {
     Vec3 force, moment;
 } RollerLoad;
 
-/* What never changes during a run, but for the poses and motions of rollers that move. */
+/* Data that never change during a run, except for the poses and motions of rollers that move. */
 typedef struct ContactModel {
     ContactGeometry geometry;
     ImpactLaw impact;
     double reach; /* m: pairs closer than this at a refresh are candidates */
     int n_rollers;
     const ContactRoller *roller; /* [n_rollers], borrowed */
-    const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: none of them moves, and nothing is paid for it */
+    const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: no roller moves, and nothing is computed for it */
 } ContactModel;
 
-/* What kernels ask about a roller: its kinds of shape and of friction. */
+/* Key of a roller for the kernels: its kinds of shape and of friction. */
 static inline int contact_kind(ShapeKind shape, FrictionKind friction)
 {
     return FRICTION_KINDS * (int)shape + (int)friction;
@@ -165,7 +164,7 @@ typedef struct ContactRange {
     int roller, face, first, count;
 } ContactRange;
 
-/* One place where the line is nearest to a roller: looked at in detail. */
+/* A place where the line is nearest to a roller, to be evaluated. */
 typedef struct ContactHit {
     int kind, roller, face, element;
 } ContactHit;
@@ -176,7 +175,7 @@ typedef struct ContactPairs {
     int n_ranges, ranges_allocated;
     ContactRange *range; /* [n_ranges], by kinds of shape and of friction, roller, face, element */
     int candidates;      /* pairs in all ranges */
-    /* by contact_refresh all ranges; by planar_contact_narrow what of them is near */
+    /* all ranges after contact_refresh; their near parts after planar_contact_narrow */
     int n_near;
     ContactRange *near; /* [n_near], room for ranges_allocated */
     double *at_p[3];    /* chain arrays: centres, m, and axes at the refresh */
@@ -190,8 +189,8 @@ typedef struct ContactPairs {
     int active;             /* hits that carried force in the last call of contact_forces */
     ContactTally tally;     /* of the last call of contact_forces */
     const double *presumed; /* [2 n_rollers] N, by roller and face: the law is a line about it (PS11); borrowed; NULL:
-                             * is the law itself */
-    StickStore stick;       /* by contact_accept; nothing is allocated where nothing sticks */
+                             * the law itself applies */
+    StickStore stick;       /* by contact_accept; not allocated if nothing sticks */
 } ContactPairs;
 
 /* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory
@@ -202,19 +201,19 @@ void contact_pairs_free(ContactPairs *pairs);
  * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
 hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
                               hawser_error *err);
-/* Takes all ranges for near. */
+/* Makes all ranges near. */
 void contact_widen(ContactPairs *pairs);
 /* Share of the reach that may be used up before candidates are renewed; the rest is for the motion within a step. */
 #define CONTACT_USABLE 0.75
-/* Whether a point of the line may have moved by more than that since the refresh (C20). */
+/* Checks whether a point of the line may have moved by more than that since the refresh (C20). */
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs);
 /* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction coefficient (0:
- * smooth rollers). force[n_rollers] and load[n_rollers] (NULL: not wanted) are overwritten by what the cable does to
- * each roller: its force, N; where rollers move (model->motion), force and moment. */
+ * smooth rollers). force[n_rollers] and load[n_rollers] (NULL: not required) are overwritten by the cable's loads on
+ * each roller: force, N; where rollers move (model->motion), force and moment. */
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, Loads *loads, Vec3 *force, RollerLoad *load);
-/* What one contact couples a roller by: derivatives with respect to configuration (first index 0) and velocities (1),
+/* Coupling of one contact with a roller: derivatives with respect to configuration (first index 0) and velocities (1),
  * column-major 6x6, rows [force; moment], columns [x; phi] or [v; w], about the roller's centre (SP4)-(SP6). */
 typedef struct RollerCoupling {
     int roller, body[2];   /* segments; -1: none */
@@ -225,21 +224,21 @@ typedef struct RollerCoupling {
 
 typedef void CouplingTake(void *user, const RollerCoupling *coupling);
 
-/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
- * dw] to d (6x6 blocks, world) (C15)-(C17). Where rollers move, what involves a roller is handed to `take` (else NULL),
- * one contact after the other in the order of summation. */
+/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv; dw] to d
+ * (6x6 blocks, world) (C15)-(C17). Where rollers move, the parts that involve a roller are passed to `take` (else
+ * NULL), one contact after the other in the order of summation. */
 void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, BlockChain *k, BlockChain *d, CouplingTake *take, void *user);
-/* force[2 n_rollers], N by roller and face: what the contacts are presumed to press with; `before` (the same; NULL:
- * zeros) as presume_force has it. Of several contacts on one face the one that presses most counts. */
+/* force[2 n_rollers], N by roller and face: presumed forces of the contacts; `before` (the same; NULL: zeros) as in
+ * presume_force. Of several contacts on one face the largest force counts. */
 void contact_presume(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
                      const Presume *how, const double *before, double *force);
-/* A step to (t, kin) has been accepted: contacts that stick remember how far they lean. To be called after every step
- * if any roller's friction sticks (contact_sticks), before the next contact_refresh. */
+/* Accepts a step to (t, kin): stores the leans of contacts that stick. Must be called after every step if any roller's
+ * friction sticks (contact_sticks), before the next contact_refresh. */
 int contact_sticks(const ContactModel *model);
 void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t,
                     ContactPairs *pairs);
-/* The candidates, and what sticks. */
+/* Saves or loads the candidates and the leans. */
 void contact_pairs_checkpoint(Checkpoint *c, const ContactModel *model, ContactPairs *pairs);
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {

@@ -1,7 +1,7 @@
-/* The force kernels of contact_kernels.h for one instruction set. */
+/* The kernels of contact/roller.h for one instruction set: forces. */
 #include "contact/roller_lanes.h"
 
-/* The same as below for the kinds beside the cylinder: slopes, or distances. */
+/* The same as below for shapes other than cylinders: slopes, or distances. */
 static void nodes_by_kind(const Shape *shape, int face, const Kinematics *kin, int from, int to, int slopes,
                           double *node)
 {
@@ -88,7 +88,7 @@ const ContactKernels ISA_NAME(contact_kernels) = {
 
 enum { ROLLER = 2 }; /* the third body, where rollers move */
 
-/* A variation of one body's configuration, and what it does at fixed u. */
+/* A variation of one body's configuration, and its effect at fixed u. */
 typedef struct Shift {
     int body;
     Lane3 p;      /* of P, m */
@@ -99,12 +99,12 @@ typedef struct Shift {
     Lane3 turn;   /* of the roller, rad */
 } Shift;
 
-/* What any variation does to the contact: of u, of the normal, of the velocities, of the gap and its rate. */
+/* Effect of any variation on the contact: on u, the normal, the velocities, the gap and its rate. */
 typedef struct Variation {
     Lane u;
     Lane3 normal, pdot, omega;
     Lane gap, rate;
-    Lane3 p; /* of P and all that moves it, less the roller's centre (SP5): where rollers move, of its lever */
+    Lane3 p; /* of P with everything that moves it, less the roller's centre (SP5); where rollers move, of its lever */
 } Variation;
 
 /* dF (C16) for a variation of normal, velocities and gap: F = N (n - phi v_t), so both factors vary. */
@@ -131,9 +131,9 @@ LANE_INLINE Variation vary_shift(const Contact *c, const Line *line, const Shift
     const Lane zero = lane_set(0);
     const LinePoint *at = &c->at;
     const Lane3 n = at->probe.normal;
-    /* the point as the roller sees it: a roller that moves and turns carries its distance field along (SP4) */
+    /* displacement seen from the roller: a roller that moves and turns carries its distance field along (SP4) */
     const Lane3 seen = is.moving ? l3_sub(s->p, l3_add(s->centre, l3_cross(s->turn, c->lever))) : s->p;
-    /* g' = 0 goes on holding: dg'|u + g'' du = 0 */
+    /* g' = 0 remains true: dg'|u + g'' du = 0 */
     Lane push = l3_dot(probe_hessian_times(&at->probe, seen), at->p1) + l3_dot(n, s->p1);
     if (is.moving) push += l3_dot(l3_cross(s->turn, n), at->p1);
     Variation by;
@@ -201,13 +201,13 @@ LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double 
     if (is.moving) roller_rows(c, l3_zero(), force, rows);
 }
 
-/* Where the columns of a contact are written, and of which variables. */
+/* Targets of a contact's columns, and their variables. */
 typedef struct Columns {
     double (*k)[LANES], (*d)[LANES];
-    int speeds; /* whether forces depend on velocities: else d is left alone */
+    int speeds; /* 1: forces depend on velocities; 0: d is not written */
 } Columns;
 
-/* Four columns of body b: shift along and turn about one axis, velocity and angular velocity likewise. */
+/* Four columns of body b: displacement along and rotation about one axis, velocity and angular velocity likewise. */
 LANE_INLINE void axis_columns(const Contact *c, const Line *line, int b, int axis, Variant is, const Columns *out)
 {
     const int rows = is.moving ? MOVING_ROWS : CONTACT_ROWS;
@@ -229,8 +229,8 @@ LANE_INLINE void axis_columns(const Contact *c, const Line *line, int b, int axi
     column_speed(c, l3_scale(beta, turned), l3_scale(alpha, e), out->d + second, is);
 }
 
-/* The same as functions, one for each variant but the plain one: what is inlined six times there would only swell the
- * program here. */
+/* The same as functions, one for each variant but the plain one: inlining them six times would only enlarge the
+ * program. */
 #define AXIS_COLUMNS(name, which)                                                                                      \
     static __attribute__((noinline)) void name(const Contact *c, const Line *line, int b, int axis,                    \
                                                const Columns *out)                                                     \
@@ -244,7 +244,7 @@ AXIS_COLUMNS(axis_stick, VARIANT_STICK)
 AXIS_COLUMNS(axis_moving, VARIANT_MOVING)
 AXIS_COLUMNS(axis_moving_stick, VARIANT_MOVING_STICK)
 
-/* The twelve columns of body b: three shifts, three turns, three velocities, three angular velocities. */
+/* The twelve columns of body b: three displacements, three rotations, three velocities, three angular velocities. */
 LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, ContactVariant which, const Columns *out)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -287,13 +287,13 @@ LANE_INLINE void roller_columns(const Contact *c, const Line *line, Variant is, 
     }
 }
 
-/* Without friction and without damping no force depends on a velocity: then d is not written, and 2 is returned; but
- * for rollers that move it always is. */
+/* Without friction and damping no force depends on a velocity: then d is not written, and 2 is returned; for rollers
+ * that move it is always written. */
 LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES],
                            ContactVariant which)
 {
     const Variant is = variant_of(which);
-    /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
+    /* the same contact as in the force kernel, from the same state: nothing is stored between the two */
     const Line line = line_load(batch, is.grooved);
     const Contact c = contact_at(batch, &line, is);
     lane_store(normal, c.push.force);

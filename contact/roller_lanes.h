@@ -1,19 +1,19 @@
-/* The forces of LANES contacts at once: what the force and the derivative kernels share. Derivation and
- * equation numbers: docs/model.md, "Contact"; letters as there. */
+/* The forces of LANES contacts at once: shared by the force and the derivative kernels. Derivation and equation
+ * numbers: docs/model.md, "Contact"; letters as there. */
 #ifndef HAWSER_CONTACT_ROLLER_LANES_H
 #define HAWSER_CONTACT_ROLLER_LANES_H
 
 #include "contact/law_lanes.h"
 #include "contact/line_lanes.h"
 
-/* What a kernel is compiled for: all members are constants, and what is not asked for is not evaluated. */
+/* Features for which a kernel is compiled: all members are constants, and code that they exclude is not compiled. */
 typedef struct Variant {
-    int grooved; /* shapes of any kind; 0: cylinders */
-    int moving;  /* rollers move */
+    int grooved; /* 1: shapes of any kind; 0: cylinders */
+    int moving;  /* 1: rollers move */
     FrictionKind rubs;
 } Variant;
 
-/* Of a ContactVariant. */
+/* Features of a ContactVariant. */
 LANE_INLINE Variant variant_of(ContactVariant which)
 {
     const int moving = which >= VARIANT_MOVING, sticks = which == VARIANT_STICK || which == VARIANT_MOVING_STICK;
@@ -26,9 +26,9 @@ LANE_INLINE Variant variant_of(ContactVariant which)
 /* A contact with its force. */
 typedef struct Contact {
     Lane u;
-    LaneMask interior; /* the minimum is inside the element: it moves along it */
+    LaneMask interior; /* the minimum is inside the element: the contact moves along it */
     LinePoint at;
-    Lane3 pdot;            /* velocity of the line's material at P, m/s, against the roller's (SP2) */
+    Lane3 pdot;            /* velocity of the line's material at P, m/s, relative to the roller's (SP2) */
     Lane3 omega;           /* angular velocity there, rad/s, likewise */
     Lane3 lever, roller_w; /* where the roller moves: P - C, m, and its angular velocity, rad/s */
     Lane3 slip;            /* surface velocity v_s, m/s */
@@ -36,7 +36,7 @@ typedef struct Contact {
     Lane3 slide;           /* its tangential part v_t */
     Lane gap, rate;        /* m, m/s */
     LaneImpact push;       /* normal force (C12) */
-    LaneRub rub;           /* friction (C14), (GR13); not set where there is none */
+    LaneRub rub;           /* friction (C14), (GR13); not set without friction */
     Lane3 force;           /* F (C13), N */
     Lane3 arm[2];          /* beta_i r_i - alpha_i rc n: lever of F about the centres (C15), m */
 } Contact;
@@ -65,7 +65,7 @@ LANE_INLINE Lane3 contact_direction(const Contact *c, Variant is)
     return is.rubs == FRICTION_NONE ? c->at.probe.normal : rub_direction(&c->rub, c->at.probe.normal);
 }
 
-/* What the roller's own motion takes off the line's (SP2): from here on both are seen from the roller. */
+/* Subtracts the roller's own motion from the line's (SP2): from here on both are relative to the roller. */
 LANE_INLINE void contact_motion_seen(Contact *c, const ContactBatch *batch)
 {
     c->lever = l3_sub(c->at.p, batch_vector(batch->centre));
@@ -74,7 +74,8 @@ LANE_INLINE void contact_motion_seen(Contact *c, const ContactBatch *batch)
     c->omega = l3_sub(c->omega, c->roller_w);
 }
 
-/* Velocities at the contact (C12), (C13). `moving` is a constant: fixed rollers compile to what they were. */
+/* Velocities at the contact (C12), (C13). `moving` is a constant: for fixed rollers the compiled code has no part of
+ * it. */
 LANE_INLINE void contact_motion(Contact *c, const Line *line, const ContactBatch *batch, int moving)
 {
     const LaneBody *j = &line->body[0], *k = &line->body[1];
@@ -90,7 +91,7 @@ LANE_INLINE void contact_motion(Contact *c, const Line *line, const ContactBatch
     c->rate = l3_dot(n, c->pdot);
 }
 
-/* The nearest point of a shape of any kind (C11): one function for all kernels that may meet one. */
+/* The nearest point of a shape of any kind (C11): one function for all kernels that need it. */
 static __attribute__((noinline, unused)) void contact_place(const Line *line, Contact *c)
 {
     c->u = line_nearest(line, 1, &c->interior);
@@ -120,7 +121,7 @@ LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, Vari
 /* Lever of the force about the roller's centre, from the surface point P - rc n (SP3), m. */
 LANE_INLINE Lane3 contact_roller_arm(const Contact *c) { return l3_axpy(c->lever, -c->at.radius, c->at.probe.normal); }
 
-/* In contact_blocks_lanes.c; see ContactKernels. */
+/* Further down in contact/roller_lanes.c; see ContactKernels. */
 #define COLUMNS(name)                                                                                                  \
     int ISA_NAME(name)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
 COLUMNS(contact_columns_plain);

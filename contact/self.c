@@ -1,5 +1,5 @@
 /* From two lines to forces: geometry and motion of the piece's ends, the bed's integral, the laws, the shares of the
- * segments. The derivatives of the same steps are in patch_columns.c. */
+ * segments. The derivatives of the same steps follow below. */
 #include "contact/self.h"
 
 #include <assert.h>
@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-/* The slot of a segment on a side, a new one if it has none yet. */
+/* The slot of a segment on a side; a new one if it has none yet. */
 static PatchSlot *slot_of(Patch *patch, const SelfLine *line, int body, int side)
 {
     for (int s = 0; s < patch->slots; ++s) {
@@ -21,7 +21,8 @@ static PatchSlot *slot_of(Patch *patch, const SelfLine *line, int body, int side
     return slot;
 }
 
-/* One spot's segments become slots; its velocity, with that of the parameter, and its angular velocity come out. */
+/* Assigns one spot's segments to slots; returns its velocity, with the derivative by the parameter, and its angular
+ * velocity. */
 static void spot_take(Patch *patch, const SelfLine *line, const LineSpot *spot, int side, int a)
 {
     const double sign = side ? -1 : 1;
@@ -42,7 +43,7 @@ static void spot_take(Patch *patch, const SelfLine *line, const LineSpot *spot, 
     }
 }
 
-/* Surfaces against each other at the centre of the pressed part (CC9), (CC10). */
+/* Relative motion of the surfaces at the centre of the pressed part (CC9), (CC10). */
 static void slip_find(Patch *p)
 {
     const double xi = p->centre;
@@ -77,7 +78,7 @@ static void laws_apply(Patch *p, const PatchLaw *law, double friction_scale)
 }
 
 /* The piece (length m at rest) of the line side[0] between two ends with their feet on side[1], which may be the same
- * line. Returns 0 if nothing is pressed: then only the geometry is filled in. */
+ * line. Returns 0 without contact: then only the geometry is filled in. */
 static int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, double length,
                     const PatchEnd end[2], Patch *patch)
 {
@@ -130,10 +131,10 @@ static double patch_depth(const Patch *p)
 /* Half a turn about the line's own surface, in radii: a cable that is bent that sharply touches itself. */
 static const double HALF_TURN = 3.14159265358979323846;
 
-/* What is looked for: the segments of one line near segment i of another one, or of the same. */
+/* Search for the segments of one line near segment i of another one, or of the same. */
 typedef struct Search {
     const SelfLine *mine, *other;
-    int i, first;    /* the other's segments from `first` on */
+    int i, first;    /* on the other line, the segments from `first` on */
     double longest;  /* m: of the other's half segments */
     double stride;   /* m: the largest distance of two neighbours' centres there */
     double thickest; /* m: its largest radius */
@@ -146,7 +147,7 @@ static Chord segment_chord(const SelfLine *line, int i)
     return (Chord){v3_axpy(v3_load(line->kin->p, i), -half, axis), v3_scale(2 * half, axis)};
 }
 
-/* Goes along the other line; as far as nothing can be near it is passed over. */
+/* Follows the other line and skips stretches that cannot be near. */
 static void search(const Search *s, SelfOverlap *deepest)
 {
     const Chain *const mine = s->mine->chain, *const other = s->other->chain;
@@ -172,7 +173,7 @@ static void search(const Search *s, SelfOverlap *deepest)
     }
 }
 
-/* The first segment behind i of the same line that may touch it: half a turn lies between their ends. */
+/* First segment behind i of the same line that may touch it: there is half a turn between their ends. */
 static int first_behind(const Chain *chain, int i)
 {
     double between = 0;
@@ -184,7 +185,7 @@ static int first_behind(const Chain *chain, int i)
     return j;
 }
 
-/* Whether the last segments of both lines are held by one eye: they meet there. */
+/* Checks whether the last segments of both lines are held by one eye: they meet there. */
 static int share_eye(const SelfLine *a, const SelfLine *b) { return a->eye > 0 && a->eye == b->eye; }
 
 static void lines_search(const SelfLines *lines, int l, int m, SelfOverlap *deepest)
@@ -272,7 +273,7 @@ int bed_integrate(Patch *p, const PatchLaw *law)
     return p->elastic > 0;
 }
 
-/* The limits move too, but q is zero there, or they are the piece's own ends: nothing comes from them. */
+/* The limits move too, but q is zero there, or they are the piece's own ends: they contribute nothing. */
 static void bed_vary(const Patch *p, const Vec3 w_by[2], double radius_by, Vec3 g_by[2], double *m0_by, double *m1_by)
 {
     const double stretch = -1.5 * radius_by / p->radius; /* of the modulus */
@@ -291,10 +292,10 @@ static void bed_vary(const Patch *p, const Vec3 w_by[2], double radius_by, Vec3 
     }
 }
 
-/* Derivatives of a patch's wrenches, one coordinate of one segment at a time: what the coordinate does to the ends of
- * the piece, from there to the forces, and on to the segments. docs/model.md, "Cable on cable", (CC13)-(CC17). */
+/* Derivatives of a patch's wrenches, one coordinate of one segment at a time: from the coordinate to the ends of the
+ * piece, from there to the forces, and on to the segments. docs/model.md, "Cable on cable", (CC13)-(CC17). */
 
-/* What a coordinate changes at the piece's two ends, and of the radius. */
+/* Change of the piece's two ends and of the radius by a coordinate. */
 typedef struct Ends {
     double v[2];      /* the feet's parameters */
     Vec3 w[2];        /* separations, m */
@@ -303,13 +304,14 @@ typedef struct Ends {
     double radius;    /* m */
 } Ends;
 
-/* What that does to the forces. */
+/* Resulting change of the forces. */
 typedef struct Forces {
     Vec3 end[2];       /* f_a, N */
     Vec3 couple[2][2]; /* [side][a], N m */
 } Forces;
 
-/* A shift or a turn of slot s: the feet follow (CC13), (CC14). turned: the change of the segment's arm, m. */
+/* A displacement or a rotation of slot s: the feet follow (CC13), (CC14). turned: the change of the segment's arm,
+ * m. */
 static Ends ends_of_place(const Patch *p, const PatchSlot *slot, int c, Vec3 *turned)
 {
     const double sign = slot->side ? -1 : 1;
@@ -338,7 +340,7 @@ static Vec3 between(const Patch *p, const Vec3 value[2], const Vec3 by[2], doubl
     return v3_axpy(mixed, centre_by, v3_sub(value[1], value[0]));
 }
 
-/* The change of the sum of rho omega; the feet's side carries the change of the radius. */
+/* Change of the sum of rho omega; the feet's side carries the change of the radius. */
 static Vec3 spin_vary(const Patch *p, const Ends *by, double centre_by, const double share_by[2])
 {
     Vec3 sum = v3(0, 0, 0);
@@ -350,7 +352,7 @@ static Vec3 spin_vary(const Patch *p, const Ends *by, double centre_by, const do
     return sum;
 }
 
-/* The change of the friction with the normal force and the sliding velocity. */
+/* Change of the friction with the normal force and the sliding velocity. */
 static Vec3 friction_vary(const Patch *p, double force_by, Vec3 slide_by)
 {
     const double phi_by = p->phi_over * v3_dot(p->slide, slide_by);
@@ -396,8 +398,8 @@ static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
     return out;
 }
 
-/* (CC17): one slot's wrench, with what the moving feet do to its weights; arm_by: the change of its own arm, m; moves:
- * 0: neither its weights nor its arm change. */
+/* (CC17): one slot's wrench, with the effect of the moving feet on its weights; arm_by: the change of its own arm, m;
+ * moves: 0: neither its weights nor its arm change. */
 static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force, Vec3 arm_by,
                                int moves)
 {
@@ -419,7 +421,7 @@ static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends
     return out;
 }
 
-/* A velocity or an angular velocity of slot s: nothing moves, the bed stays as it is pressed, and of (CC16) and (CC17)
+/* A velocity or an angular velocity of slot s: places stay, the bed's pressure is unchanged, and of (CC16) and (CC17)
  * only damping and friction are left. */
 static void column_of_motion(const Patch *p, const PatchLaw *law, const PatchSlot *slot, int c,
                              PatchWrench out[PATCH_SLOTS])
@@ -451,8 +453,8 @@ static void column_of_motion(const Patch *p, const PatchLaw *law, const PatchSlo
     }
 }
 
-/* Derivatives of all slots' wrenches by coordinate c of slot s: 0..2 shifts, 3..5 turns, 6..8 velocities, 9..11
- * angular velocities, world (CC13)-(CC17). */
+/* Derivatives of all slots' wrenches by coordinate c of slot s: 0..2 displacements, 3..5 rotations, 6..8 velocities,
+ * 9..11 angular velocities, world (CC13)-(CC17). */
 static void patch_column(const Patch *p, const PatchLaw *law, int s, int c, PatchWrench out[PATCH_SLOTS])
 {
     if (c >= 6) {
@@ -468,8 +470,8 @@ static void patch_column(const Patch *p, const PatchLaw *law, int s, int c, Patc
     }
 }
 
-/* Which stretches of the cable may touch each other before the next refresh, and which blocks of Newton's matrix that
- * takes. The tree of spheres is asked for every element what comes near it farther along. */
+/* Finds stretches of the cable that may touch each other before the next refresh, and the blocks of Newton's matrix for
+ * them. The tree of spheres is searched for what comes near each element farther along. */
 
 enum { PIECES_MAX = 8 };
 
@@ -528,7 +530,7 @@ void self_pairs_free(SelfPairs *pairs)
     memset(pairs, 0, sizeof *pairs);
 }
 
-/* Where a line's part of what was taken down begins: three centres, three axes. */
+/* Beginning of a line's part of the stored places: three centres, three axes. */
 static void places_of(const SelfPairs *pairs, const SelfLine *line, double *at[6])
 {
     for (int c = 0; c < 3; ++c) {
@@ -552,11 +554,11 @@ static double element_length(const Chain *chain, int e)
 
 double self_piece_length(const Chain *chain, int e) { return element_length(chain, e) / self_pieces(chain, e); }
 
-/* Within how many elements of a range, at least one, the foot of a piece's end has that of its other end. */
+/* Largest distance, in elements of a range and at least one, between the feet of a piece's two ends. */
 static double self_feet_apart(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
-    /* half as much again as the piece is long: less than the half turn that brings another strand, for pieces are no
-     * longer than the line is thick, and an element but for those that are shorter than that */
+    /* one and a half times the length of the piece, at least one element: less than the half turn to another strand,
+     * since pieces are no longer than the line is thick */
     static const double most = 1.5;
     double shortest = INFINITY;
     for (int f = range->first; f < range->first + range->count; ++f)
@@ -564,8 +566,8 @@ static double self_feet_apart(const SelfLine *mine, const SelfLine *other, const
     return fmax(1, most * self_piece_length(mine->chain, range->element) / shortest);
 }
 
-/* Element f of line `other` is a candidate of element e: it lengthens the last range or begins a new one. A hole of one
- * element is filled, so that the feet of neighbouring ends find each other. 0 if there is no memory. */
+/* Adds element f of line `other` as a candidate of element e: it extends the last range or begins a new one. A gap of
+ * one element is filled, so that the feet of neighbouring ends find each other. 0 if there is no memory. */
 static int candidate_add(SelfPairs *pairs, int line, int e, int other, int f)
 {
     SelfRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
@@ -585,7 +587,7 @@ static int candidate_add(SelfPairs *pairs, int line, int e, int other, int f)
     return 1;
 }
 
-/* The chord of an element and how far its arc bulges from it. */
+/* The chord of an element and the largest distance of its arc from it. */
 typedef struct Bow {
     Chord chord;
     double bulge; /* m */
@@ -595,14 +597,14 @@ static Bow bow_of(const Chain *chain, const Kinematics *kin, int e)
 {
     const Vec3 a = line_spot(chain, kin, e, 0).p, b = line_spot(chain, kin, e, 1).p;
     const Vec3 middle = line_spot(chain, kin, e, 0.5).p;
-    /* the arc is a parabola while its joint is closed; a tenth more for joints that are not */
+    /* the arc is a parabola while its joint is closed; ten per cent are added for joints that are not */
     return (Bow){{a, v3_sub(b, a)}, 1.1 * v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b))))};
 }
 
-/* What one walk through a line's tree asks for: its elements from `from` on near an element of a line. */
+/* Parameters of one walk through a line's tree: finds its elements from `from` on near an element of a line. */
 typedef struct Walk {
     SelfPairs *pairs;
-    const SelfLine *onto; /* whose tree it is */
+    const SelfLine *onto; /* line of the tree */
     int line, element, other, from;
     int eye, last; /* of the element's line: its eye, its last element */
     double reach;
@@ -616,7 +618,7 @@ static double element_radius_most(const Chain *chain, int e)
     return fmax(e > 0 ? chain->radius[e - 1] : 0, e < chain->n ? chain->radius[e] : 0);
 }
 
-/* Whether the surfaces of the walk's element and of f may be nearer than the reach. */
+/* Checks whether the surfaces of the walk's element and of f may be nearer than the reach. */
 static int element_near(const Walk *w, int f)
 {
     const Bow other = bow_of(w->onto->chain, w->onto->kin, f);
@@ -624,7 +626,7 @@ static int element_near(const Walk *w, int f)
     return chords_apart(&w->bow.chord, &other.chord) - bulges - radii <= w->reach;
 }
 
-/* Whether the walk's element and f are the heads' ends that one eye holds (SC9). */
+/* Checks whether the walk's element and f are ends of heads that one eye holds (SC9). */
 static int held_apart(const Walk *w, int f)
 {
     return w->onto->eye > 0 && w->eye == w->onto->eye && w->element == w->last && f == w->onto->chain->n;
@@ -643,7 +645,7 @@ static int walk(const Walk *w, int node, int first, int width)
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
 
-/* Room for what is known of gaps, of which nothing is known of new ranges. */
+/* Makes room for the gaps; those of new ranges are not known. */
 static int clear_reserve(SelfPairs *pairs)
 {
     for (int p = 0; p < SELF_PARTS; ++p) {
@@ -660,7 +662,7 @@ static int clear_reserve(SelfPairs *pairs)
     return 1;
 }
 
-/* The halves, and rooms for the hits of a range: a node of a piece has at most one foot on an element. */
+/* Sets the halves, and makes room for the hits of a range: a node of a piece has at most one foot on an element. */
 static int hits_reserve(const SelfLines *lines, SelfPairs *pairs)
 {
     int needed = 0, seen = 0;
@@ -686,8 +688,8 @@ static int hits_reserve(const SelfLines *lines, SelfPairs *pairs)
     return 1;
 }
 
-/* One coupling of segment i of a line with segment j of the same or a later one, if both exist and are no neighbours in
- * it; returns the new count. */
+/* Adds a coupling of segment i of a line with segment j of the same or a later one, if both exist and are not
+ * neighbours in it; returns the new count. */
 static int pair_add(BlockPair *pair, int count, const SelfLine *line, int i, const SelfLine *other, int j)
 {
     const int neighbours = line == other && j - i < 2;
@@ -696,7 +698,7 @@ static int pair_add(BlockPair *pair, int count, const SelfLine *line, int i, con
     return count + 1;
 }
 
-/* The largest number of segments from one to another on which the two feet of a piece bear. */
+/* Largest number of segments between the bearing segments of a piece's two feet. */
 static int feet_span(const SelfLines *lines, const SelfRange *range)
 {
     const double apart = self_feet_apart(&lines->line[range->line], &lines->line[range->other], range);
@@ -737,7 +739,7 @@ static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
     return ok;
 }
 
-/* A pattern that was read must have a place for each of them. */
+/* Checks that a pattern that was read has a place for each of them. */
 static void pattern_check(Checkpoint *c, const SelfLines *lines, const SelfPairs *pairs)
 {
     int n, holds = 1;
@@ -750,7 +752,8 @@ static void pattern_check(Checkpoint *c, const SelfLines *lines, const SelfPairs
     if (!c->status) checkpoint_check(c, holds, "candidates of cable on cable have no place in the matrix");
 }
 
-/* What comes near the elements of a line: farther along itself, and of the lines after it; 0 if there is no memory. */
+/* Finds what is near the elements of a line: farther along itself, and on the lines after it; 0 if there is no
+ * memory. */
 static int line_walk(const SelfModel *model, const SelfLines *lines, int line, SelfPairs *pairs)
 {
     const SelfLine *const mine = &lines->line[line];
@@ -759,7 +762,7 @@ static int line_walk(const SelfModel *model, const SelfLines *lines, int line, S
     const int skip = lines->within ? self_skip(chain) : elements;
     for (int e = 0; e < elements; ++e) {
         if (e + skip >= elements && line + 1 == lines->n) break;
-        /* the far end of a pressed piece has its foot within the piece's length of it */
+        /* the foot of the far end of a pressed piece is within the piece's length of the other */
         Walk w = {.pairs = pairs, .line = line, .element = e, .eye = mine->eye, .last = chain->n};
         w.radius = element_radius_most(chain, e);
         w.reach = model->reach + 1.25 * self_piece_length(chain, e);
@@ -791,7 +794,7 @@ hawser_status self_refresh(const SelfModel *model, const SelfLines *lines, SelfP
     return HAWSER_OK;
 }
 
-/* Both lines may have moved, so each has half of the reach; a quarter is kept in hand for the motion within a step. */
+/* Both lines may have moved, so each has half of the reach; a quarter is reserved for the motion within a step. */
 int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const SelfPairs *pairs)
 {
     int far = 0;
@@ -823,14 +826,14 @@ void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pai
     chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
     block_extras_checkpoint(c, &pairs->extras);
     if (c->reading && !c->status) pattern_check(c, lines, pairs);
-    if (c->reading && !c->status && !hits_reserve(lines, pairs)) checkpoint_lack(c); /* and the halves */
+    if (c->reading && !c->status && !hits_reserve(lines, pairs)) checkpoint_lack(c); /* including the halves */
 }
 
-/* The corridor of a call: hits_next (feet of a range's pieces' ends, and which belong together) -> patch_at for each ->
- * the segments, in the order of the hits. Nothing here allocates. */
+/* The steps of a call: hits_next (feet of the ends of a range's pieces, and their pairs) -> patch_at for each -> the
+ * segments, in the order of the hits. Nothing here allocates. */
 
-/* At a right angle the bed gives 4/3 k_b sqrt(2 R) p^1.5 (CC5): the same force as the impact law, for every depth if
- * its exponent is 1.5, else at its depth d. The damping takes as much there as the impact law's c. */
+/* At a right angle the bed gives 4/3 k_b sqrt(2 R) p^1.5 (CC5): the force of the impact law, at every depth if its
+ * exponent is 1.5, else at its depth d. The damping there equals the impact law's c. */
 PatchLaw self_law(const ImpactLaw *impact, const FrictionLaw *friction)
 {
     const double d = impact->d, force = impact->k * pow(d, impact->e);
@@ -839,9 +842,9 @@ PatchLaw self_law(const ImpactLaw *impact, const FrictionLaw *friction)
                       .friction = *friction};
 }
 
-enum { FEET_MAX = 64 }; /* strands about one point that are looked at; two layers around a strand have 18 */
+enum { FEET_MAX = 64 }; /* strands about one point that are evaluated; two layers around a strand have 18 */
 
-/* One point of the line against a range of elements: where that stretch comes nearest to it. */
+/* Foot of one point of the line on a range of elements: where that stretch comes nearest to it. */
 typedef struct Foot {
     int element;
     double v;
@@ -854,8 +857,8 @@ typedef struct Feet {
     Foot foot[FEET_MAX];
 } Feet;
 
-/* Whether element f is surely farther than `far` from p: its arc lies in the triangle of its two centres and the joint
- * between them. */
+/* Checks whether element f is surely farther than `far` from p: its arc is in the triangle of its two centres and the
+ * joint between them. */
 static int element_far(const Chain *chain, const Kinematics *kin, int f, Vec3 p, double far)
 {
     const int i = f > 0 ? f - 1 : 0, j = f < chain->n ? f : chain->n - 1;
@@ -863,13 +866,13 @@ static int element_far(const Chain *chain, const Kinematics *kin, int f, Vec3 p,
     const double length = v3_dot(along, along), share = length > 0 ? v3_dot(to, along) / length : 0;
     const Vec3 off = v3_axpy(to, -fmin(1, fmax(0, share)), along);
     const Vec3 front = v3_load(kin->a, i);
-    /* an end half sticks out of its centre by its own length */
+    /* an end half extends from its centre by its own length */
     const double out = i == j ? chain->half[i] : v3_norm(v3_axpy(v3_scale(-0.5, along), chain->half[i], front));
     return v3_norm(off) > far + out;
 }
 
-/* All feet of p on a range that are not farther than `far` (CC1). Every change of the slope's sign from - to + belongs
- * to one element; the ends of a range are no ends of the line. */
+/* All feet of p on a range that are no farther than `far` (CC1). Every change of the slope's sign from - to + belongs
+ * to one element; the ends of a range are not ends of the line. */
 static void feet_find(const Chain *chain, const Kinematics *kin, const SelfRange *range, Vec3 p, double far, Feet *out)
 {
     out->count = 0;
@@ -887,8 +890,8 @@ static void feet_find(const Chain *chain, const Kinematics *kin, const SelfRange
     }
 }
 
-/* The foot of `next` on the same strand as `foot`: less than `apart` elements away along the line, the nearest; NULL if
- * there is none. */
+/* Foot of `next` on the same strand as `foot`: the nearest that is less than `apart` elements away along the line; NULL
+ * if there is none. */
 static const Foot *foot_beside(const Feet *next, const Foot *foot, double apart)
 {
     const Foot *best = NULL;
@@ -902,7 +905,7 @@ static const Foot *foot_beside(const Feet *next, const Foot *foot, double apart)
     return best;
 }
 
-/* Whether |w| falls below `radius` somewhere between the two ends. */
+/* Checks whether |w| falls below `radius` somewhere between the two ends. */
 static int may_press(Vec3 w0, Vec3 w1, double radius)
 {
     const Vec3 along = v3_sub(w1, w0);
@@ -911,7 +914,7 @@ static int may_press(Vec3 w0, Vec3 w1, double radius)
     return v3_norm(v3_axpy(w0, xi, along)) < radius;
 }
 
-/* Whether the spheres of element e and of some element of its range meet now. */
+/* Checks whether the spheres of element e and of some element of its range intersect. */
 static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
     const Element here = element_at(GEOMETRY_SMOOTH, mine->chain->n, range->element);
@@ -924,7 +927,7 @@ static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRan
     return 0;
 }
 
-/* The pressed pieces of one element over one range. Returns how many. */
+/* The pressed pieces of one element over one range. Returns their number. */
 static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRange *range, SelfHit *hit)
 {
     const int e = range->element, pieces = self_pieces(mine->chain, e), end = range->first + range->count;
@@ -937,7 +940,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
     LineSpot here[2];
     for (int m = 0; m <= pieces; ++m) {
         Feet *const now = &feet[m % 2], *const before = &feet[(m + 1) % 2];
-        /* an end that is farther belongs to no pressed piece: separations change no faster than the piece is long */
+        /* an end that is farther belongs to no pressed piece: separations change no faster than along the piece */
         here[m % 2] = line_spot(mine->chain, mine->kin, e, (double)m / pieces);
         feet_find(other->chain, other->kin, range, here[m % 2].p, radius + 1.25 * length, now);
         for (int k = 0; m > 0 && k < before->count; ++k) {
@@ -953,7 +956,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
     return count;
 }
 
-/* Which range of a half is looked at next. */
+/* Position in the ranges of a half. */
 typedef struct SelfNext {
     int range, part;
 } SelfNext;
@@ -964,7 +967,7 @@ static SelfNext hits_begin(const SelfLines *lines, int part, SelfPairs *pairs)
     return (SelfNext){part == 0 ? 0 : pairs->half, part};
 }
 
-/* The hits of the next range that has any, in pairs->hit[part]; returns how many, 0 at the end. */
+/* The hits of the next range that has any, in pairs->hit[part]; returns their number, 0 at the end. */
 static int hits_next(const SelfLines *lines, SelfNext *next, SelfPairs *pairs)
 {
     const int part = next->part, to = part == 0 ? pairs->half : pairs->n_ranges;
@@ -990,7 +993,7 @@ static int patch_of(const SelfModel *model, const SelfLines *lines, double frict
     return patch_at(side, &model->law, friction_scale, length, hit->end, patch);
 }
 
-/* What a patch does to the motion (BA5), (BA6); the feet run along the line square to the forces, at no cost. */
+/* Effect of a patch on the motion (BA5), (BA6); the feet move along the line normal to the forces, without work. */
 static void work_add(const Patch *patch, ContactTally *work)
 {
     const double elastic = v3_dot(patch->g[0], patch->speed[0]) + v3_dot(patch->g[1], patch->speed[1]);
@@ -1022,8 +1025,8 @@ void self_forces(const SelfModel *model, const SelfLines *lines, double friction
     }
 }
 
-/* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`; so are blocks between neighbours in
- * the matrix of which each is another line's. */
+/* Place of block (row, col): in a chain of blocks, or off its diagonals in `extra`, as are blocks between neighbours in
+ * the matrix that belong to different lines. */
 static double *block_at(SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
@@ -1073,7 +1076,7 @@ void self_blocks(const SelfModel *model, const SelfLines *lines, double friction
     }
 }
 
-/* A patch for the outside; what carries no force has a depth and a place only. */
+/* A patch in the public form; one without force has a depth and a place only. */
 static SelfDetail detail_of(const SelfHit *hit, const Patch *patch)
 {
     const Vec3 p0 = hit->end[0].here.p, p1 = hit->end[1].here.p;
@@ -1141,8 +1144,8 @@ SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPair
     return deepest;
 }
 
-/* What need not be looked at: stretches of two lines that were some gap apart, and have not come nearer by as much.
- * docs/model.md, "Cable on cable", (CC27), (CC28). */
+/* Skips ranges: stretches of two lines that had a gap and have not approached each other by as much. docs/model.md,
+ * "Cable on cable", (CC27), (CC28). */
 
 enum { CONTROLS = 4 };
 
@@ -1150,7 +1153,7 @@ static int ranges_from(const SelfPairs *pairs, int part) { return part == 0 ? 0 
 
 static int ranges_to(const SelfPairs *pairs, int part) { return part == 0 ? pairs->half : pairs->n_ranges; }
 
-/* The corners of a hull that holds element e: those of its cubic's Bezier form, or the ends of an end half. */
+/* Corners of a hull around element e: those of its cubic's Bezier form, or the ends of an end half. */
 static int controls_of(const SelfLine *line, int e, Vec3 at[CONTROLS])
 {
     const Chain *const chain = line->chain;
@@ -1166,7 +1169,7 @@ static int controls_of(const SelfLine *line, int e, Vec3 at[CONTROLS])
     return count;
 }
 
-/* How far the elements of a range are beyond the plane across n from the range's own element, m. */
+/* Distance of the elements of a range beyond the plane normal to n through the range's own element, m. */
 static double apart_along(const SelfLine *mine, const SelfLine *other, const SelfRange *range, Vec3 n)
 {
     Vec3 at[CONTROLS];
@@ -1177,8 +1180,8 @@ static double apart_along(const SelfLine *mine, const SelfLine *other, const Sel
     return back - front;
 }
 
-/* At least the gap between the surfaces of a range's two sides (CC27): along what joins the middle of its own element
- * to the nearest point on the other side's centres. */
+/* Lower bound of the gap between the surfaces of a range's two sides (CC27): along the line from the middle of its own
+ * element to the nearest point on the other side's centres. */
 static double gap_of(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
     Vec3 at[CONTROLS];

@@ -8,14 +8,14 @@
 #include "core/block_chain.h"
 #include "hawser/hawser.h"
 
-/* A line that may touch others: a chain, and where it is now. Several lines have their blocks in one matrix, where the
- * first segment of this one has this row. */
+/* A line that may touch others: a chain with its present kinematics. Several lines have their blocks in one matrix, in
+ * which the first segment of this one has this row. */
 typedef struct SelfLine {
     const Chain *chain;
     const Kinematics *kin;
     int row;
-    int eye; /* from 1: lines of the same number have their heads held apart by one eye, and do not press there; 0: none
-              */
+    int eye; /* from 1: lines of the same number have their heads held apart by one eye, without contact there; 0:
+              * none */
 } SelfLine;
 
 /* One end of a piece, and its foot on the other line. */
@@ -38,7 +38,7 @@ enum { PATCH_SLOTS = 6 };
  * derivatives. */
 typedef struct PatchSlot {
     int body;  /* segment of its side's line */
-    int side;  /* 0: carries the piece, 1: carries the feet */
+    int side;  /* 0: belongs to the piece, 1: to the feet */
     Vec3 r, w; /* arm to the front end, m; angular velocity, rad/s */
     double alpha[2], beta[2], alpha1[2], beta1[2];
 } PatchSlot;
@@ -61,7 +61,7 @@ typedef struct Patch {
     Vec3 omega[2][2]; /* [side][a], rad/s */
     Vec3 omega1[2];   /* of the feet's side by their parameter */
     /* bed */
-    double from, to; /* where the piece is pressed, in [0, 1] */
+    double from, to; /* limits of the pressed part, in [0, 1] */
     double modulus;  /* k_b length / R, N/m2 */
     double m0, m1;   /* integrals of q and q xi, m */
     double energy;   /* J, in the bed (BA6) */
@@ -91,33 +91,33 @@ typedef struct PatchWrench {
     Vec3 force, moment; /* N, N m */
 } PatchWrench;
 
-/* ------------------------------------------------------------------------- the bed under it, for patch*.c only */
+/* ------------------------------------------------------------------------- the bed, for contact/self.c only */
 
-/* Where the piece is pressed, and the forces on its ends (CC2)-(CC6); 0 if it is pressed nowhere. */
+/* Finds the pressed part of the piece, and the forces on its ends (CC2)-(CC6); 0 if it is not pressed anywhere. */
 int bed_integrate(Patch *patch, const PatchLaw *law);
 /* Contact of the cable with itself: layers, crossings, loops; and of several cables with each other. docs/model.md,
  * "Cable on cable", "Several chains".
  *
- * Life as in contact.h: alloc -> refresh -> forces and blocks -> refresh again as soon as self_moved_too_far says so,
- * between steps -> free. The contact line is always the smooth one. Forces come in two halves (part 0 and 1) that two
- * threads may take; the sums do not depend on the number of threads. */
+ * Life as in contact/roller.h: alloc -> refresh -> forces and blocks -> refresh again as soon as self_moved_too_far
+ * returns 1, between steps -> free. The contact line is always the smooth one. Forces come in two halves (part 0 and 1)
+ * that two threads may take; the sums do not depend on the number of threads. */
 
 enum { SELF_PARTS = 2 };
 
-/* What never changes during a run. */
+/* Data that never change during a run. */
 typedef struct SelfModel {
-    int present; /* 0: no cable on cable; nothing of this is allocated or called */
+    int present; /* 0: no contact of cable on cable; nothing of this is allocated or called */
     PatchLaw law;
     double reach; /* m: elements whose spheres come closer than this are candidates */
 } SelfModel;
 
-/* The law that presses like `impact` where two cables cross at a right angle (CC5), (CC8). */
+/* The law with the force of `impact` where two cables cross at a right angle (CC5), (CC8). */
 PatchLaw self_law(const ImpactLaw *impact, const FrictionLaw *friction);
 /* The lines that may touch each other: a chain alone, or several beside each other. */
 typedef struct SelfLines {
     int n;
     const SelfLine *line;
-    int within; /* a line may touch itself too */
+    int within; /* 1: a line may touch itself too */
 } SelfLines;
 
 /* A chain alone; for an argument. */
@@ -135,14 +135,14 @@ typedef struct SelfHit {
     PatchEnd end[2];
 } SelfHit;
 
-/* How far apart the two sides of every range of a half were at some moment, and where all segments were. What has not
- * come nearer since cannot press, and is not looked at: results are the same without. */
+/* Gaps between the two sides of every range of a half at some moment, and the positions of all segments. A range that
+ * has not closed its gap since cannot have contact and is skipped: the results are the same. */
 typedef struct SelfClear {
-    int known;     /* 0: nothing, since the ranges are new */
-    int allocated; /* ranges that there is room for */
-    double *gap;   /* [ranges of the half] m, at least; at most 0: it may press */
+    int known;     /* 0: no gaps, since the ranges are new */
+    int allocated; /* number of ranges allocated */
+    double *gap;   /* [ranges of the half] m, lower bound; at most 0: there may be contact */
     double *at;    /* [n][6] centres and arms to the front ends, m */
-    int vain;      /* ranges that were looked at for nothing since */
+    int vain;      /* ranges that were evaluated without a hit since */
 } SelfClear;
 
 typedef struct SelfPairs {
@@ -161,14 +161,14 @@ typedef struct SelfPairs {
     int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
     ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
     SelfClear clear[SELF_PARTS];
-    int n_beside;            /* what else couples rows; borrowed */
+    int n_beside;            /* other couplings of rows; borrowed */
     const BlockPair *beside; /* [n_beside] */
     BlockExtras extras;      /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
 } SelfPairs;
 
 /* Elements this far apart along the chain, or farther, may touch (CC18). */
 int self_skip(const Chain *chain);
-/* Into how many pieces element e is cut (CC2). */
+/* Number of pieces into which element e is cut (CC2). */
 int self_pieces(const Chain *chain, int e);
 /* Length of each of them at rest, m. */
 double self_piece_length(const Chain *chain, int e);
@@ -181,24 +181,24 @@ void self_pairs_free(SelfPairs *pairs);
 /* Finds the candidates and the pattern of the blocks, O((n + candidates) log n). Errors: MEMORY. The only call that
  * may allocate. */
 hawser_status self_refresh(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, hawser_error *err);
-/* Whether two points may have come closer by more than 3/4 of the reach since the refresh (CC20). */
+/* Checks whether two points may have approached each other by more than 3/4 of the reach since the refresh (CC20). */
 int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const SelfPairs *pairs);
-/* The ranges of one half that may press now, by what is known of it: whether range r is one of them. May look anew. */
+/* Updates the gaps of one half if worthwhile; the second returns whether range r may have contact now, by its gap. */
 void self_clear_look(const SelfLines *lines, int part, SelfPairs *pairs);
 int self_clear_apart(const SelfLines *lines, int part, const SelfPairs *pairs, int r);
-/* Adds the forces (N) and moments (N m) of one half of the candidates to loads[line]. friction_scale: as in contact.h.
- */
+/* Adds the forces (N) and moments (N m) of one half of the candidates to loads[line]. friction_scale: as in
+ * contact/roller.h. */
 void self_forces(const SelfModel *model, const SelfLines *lines, double friction_scale, int part, SelfPairs *pairs,
                  Loads *const loads[]);
 /* Adds the derivatives to k, d (of all rows) and, off their diagonals and between lines, to pairs->extras, which is not
  * zeroed here (CC13)-(CC17). */
 void self_blocks(const SelfModel *model, const SelfLines *lines, double friction_scale, SelfPairs *pairs, BlockChain *k,
                  BlockChain *d);
-/* The candidates and the blocks off the diagonals. */
+/* Saves or loads the candidates and the blocks off the diagonals. */
 void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pairs);
 /* One pressed or nearly pressed piece, for tests and reports. */
 typedef struct SelfDetail {
-    int line, element, other, foot; /* of the two lines, elements of them */
+    int line, element, other, foot; /* indices of the two lines and of their elements */
     double depth;                   /* m */
     double normal;                  /* N */
     Vec3 friction;                  /* N, on the piece */
@@ -213,19 +213,19 @@ int self_details(const SelfModel *model, const SelfLines *lines, double friction
                  SelfDetail *out);
 /* The largest normal force on a piece over its length at rest, N/m, of each line: most[lines]. Allocates nothing. */
 void self_line_loads(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, double *most);
-/* The deepest contact now; its depth is -INFINITY if nothing touches. For the check of a scene's start. */
+/* The deepest contact now; its depth is -INFINITY without contact. For the check of a scene's start. */
 SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs);
-/* How far cables lie inside each other, by where their segments are and nothing else: what no contact law has prevented
- * shows here, whether there is none, has lost its force or was too weak. */
+/* Overlap of cables, from the positions of their segments alone: it shows what no contact law has prevented, whether
+ * there is none, has lost its force or was too weak. */
 
 /* A straight stretch between two points. */
 typedef struct Chord {
-    Vec3 from, along; /* m: where it begins, and from there to its end */
+    Vec3 from, along; /* m: its beginning, and the vector to its end */
 } Chord;
 
 static inline double chord_share(double x) { return fmin(1, fmax(0, x)); }
 
-/* m, least distance of two chords: where both perpendiculars meet, or at an end of one of them. */
+/* m, least distance of two chords: at their common perpendicular, or at an end of one of them. */
 static inline double chords_apart(const Chord *p, const Chord *q)
 {
     const Vec3 between = v3_sub(p->from, q->from);
@@ -240,14 +240,14 @@ static inline double chords_apart(const Chord *p, const Chord *q)
 
 typedef struct SelfOverlap {
     double share;        /* (CC29): 1 where centre lines cross; negative: apart */
-    int line, segment;   /* of the two lines, */
-    int other, opposite; /* segments of them; line -1: nothing is near */
+    int line, segment;   /* the first line and its segment, */
+    int other, opposite; /* the other's; line -1: nothing is near */
     Vec3 at;             /* m, the middle of the first */
 } SelfOverlap;
 
-/* The deepest overlap of two segments, as chords, of the lines given or (lines->within) of one line. Left out: segments
- * of one line that so little lies between that no cable could come back to itself there, and heads that one eye holds
- * (SC9). O(n log n) of lines that are drawn out, O(n^2) of coils. */
+/* The deepest overlap of two segments, as chords, of the given lines or (lines->within) of one line. Left out: segments
+ * of one line with so little cable between them that it could not return to itself there, and heads that one eye holds
+ * (SC9). O(n log n) for straight lines, O(n^2) for coils. */
 SelfOverlap self_overlap(const SelfLines *lines);
 
 #endif

@@ -36,7 +36,7 @@ LineWeights element_weights(const Element *e, double u)
                                   -e->arc * 2 * u * u * v + e->beta[1][0] + e->beta[1][1] * u}};
 }
 
-/* Whether `body` is a segment at all: an element at an end has only one. */
+/* Checks whether `body` is a segment: an element at an end has only one. */
 static int carries(const Chain *chain, int body) { return body >= 0 && body < chain->n; }
 
 /* (C4). */
@@ -86,8 +86,8 @@ static double vector_moved_most(double *const now[3], double *const then[3], int
 
 enum { MOVED_TOGETHER = 64 };
 
-/* No point of the line moves farther than the largest |dx_i| + |dr_i|. Segments go together, without roots, while the
- * sums of components are within the limit by more than rounding: then so is that. */
+/* No point of the line moves farther than the largest |dx_i| + |dr_i|. Segments are checked together, without roots,
+ * while the sums of components are within the limit by more than rounding: then the lengths are too. */
 int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit)
 {
     const double safe = (1 - 1e-12) * limit;
@@ -110,7 +110,7 @@ int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3],
 
 int sphere_tree_alloc(SphereTree *tree, int n)
 {
-    /* one leaf an element, filled up to a power of two */
+    /* one leaf per element, padded to a power of two */
     tree->leaves = 1;
     while (tree->leaves < n + 1) tree->leaves *= 2;
     tree->node = malloc(2 * (size_t)tree->leaves * sizeof *tree->node);
@@ -193,7 +193,7 @@ double line_slope(const Chain *chain, const Kinematics *kin, int i, Vec3 p)
            (kin->p[2][i] - p.z) * kin->a[2][i];
 }
 
-/* What an element's place is made of, without its radius: for a foot, it is looked at many times. */
+/* Data of an element's line without its radius: for a foot, it is evaluated many times. */
 typedef struct Curve {
     Element element;
     Vec3 x[2], r[2]; /* m: centres, and arms to the front ends; zero where there is no segment */

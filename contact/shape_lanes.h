@@ -1,5 +1,4 @@
-/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/model.md, "Contact".
- */
+/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/model.md, "Contact". */
 #ifndef HAWSER_CONTACT_SHAPE_LANES_H
 #define HAWSER_CONTACT_SHAPE_LANES_H
 
@@ -28,7 +27,7 @@ typedef struct LaneProbe {
  * curvature is not. */
 LANE_INLINE LaneProbe shape_cylinder(const LaneShape *s, Lane3 p)
 {
-    const double tiny = 1e-60; /* keeps the axis itself from dividing by zero: the normal vanishes there */
+    const double tiny = 1e-60; /* avoids a division by zero on the axis: the normal vanishes there */
     const Lane zero = lane_set(0), one = lane_set(1);
     const Lane3 from_centre = l3_sub(p, s->centre);
     const Lane z = l3_dot(from_centre, s->axis);
@@ -58,8 +57,8 @@ LANE_INLINE LaneProbe shape_cylinder(const LaneShape *s, Lane3 p)
     return probe;
 }
 
-/* Slope of the distance at p along `direction`, times a positive factor (rho, 1 or rho times the distance):
- * its sign costs one root and no division. Regions as above. */
+/* Slope of the distance at p along `direction`, times a positive factor (rho, 1 or rho times the distance): the sign
+ * costs one root and no division. Regions as above. */
 LANE_INLINE Lane shape_cylinder_slope(const LaneShape *s, Lane3 p, Lane3 direction)
 {
     const Lane zero = lane_set(0);
@@ -100,7 +99,8 @@ typedef struct LaneProfile {
     Lane distance, n_rho, n_zeta, k;
 } LaneProfile;
 
-/* Where mask is set: the corner at (rho, zeta) = (c_rho, c_zeta) is nearest, a point that the cable rounds. */
+/* Sets, where mask is set, the corner at (rho, zeta) = (c_rho, c_zeta) as nearest, a point around which the cable
+ * bends. */
 LANE_INLINE void profile_corner(LaneProfile *to, LaneMask mask, Lane q_rho, Lane q_zeta)
 {
     const Lane distance = lane_sqrt(lane_at_least(q_rho * q_rho + q_zeta * q_zeta, 1e-60));
@@ -111,7 +111,7 @@ LANE_INLINE void profile_corner(LaneProfile *to, LaneMask mask, Lane q_rho, Lane
     to->k = lane_select(mask, inverse, to->k);
 }
 
-/* Where mask is set: a straight edge with this normal is nearest. */
+/* Sets, where mask is set, a straight edge with this normal as nearest. */
 LANE_INLINE void profile_edge(LaneProfile *to, LaneMask mask, Lane distance, Lane n_rho, Lane n_zeta)
 {
     to->distance = lane_select(mask, distance, to->distance);
@@ -151,7 +151,7 @@ LANE_INLINE LaneProfile profile_v(const LaneShape *s, const LaneGroove *g, Lane 
     return p;
 }
 
-/* A U, both sides at once: zeta is |z| (GR3). The arc is hollow: its curvature is negative. */
+/* A U, both sides at once: zeta is |z| (GR3). The arc is concave: its curvature is negative. */
 LANE_INLINE LaneProfile profile_u(const LaneShape *s, const LaneGroove *g, Lane rho, Lane zeta)
 {
     const Lane zero = lane_set(0), one = lane_set(1);
@@ -160,7 +160,7 @@ LANE_INLINE LaneProfile profile_u(const LaneShape *s, const LaneGroove *g, Lane 
     const Lane r = lane_sqrt(lane_at_least(q_rho * q_rho + zeta * zeta, 1e-60)), inverse = 1 / r;
     const LaneMask before_arc = q_rho * g->sine + zeta * g->cosine <= zero;
     LaneProfile p = {g->radius - r, -q_rho * inverse, -zeta * inverse, -inverse};
-    /* inside the body the nearest of what can be seen from there */
+    /* inside the body the nearest surface visible from there */
     const Lane deep = rho - (s->radius + g->depth), over_rim = zeta - s->half_width;
     const LaneMask inside = (p.distance < zero) | ~before_arc;
     profile_edge(&p, inside & (deep > p.distance), deep, one, zero);
@@ -169,8 +169,8 @@ LANE_INLINE LaneProfile profile_u(const LaneShape *s, const LaneGroove *g, Lane 
     return p;
 }
 
-/* Probe of a grooved shape: its profile, revolved (GR5). A function of its own, and vectors by address, since it is
- * long and called from many places. */
+/* Probe of a grooved shape: its profile, revolved (GR5). A separate function, with vectors by address, since it is long
+ * and called from many places. */
 static __attribute__((noinline, unused)) void shape_grooved(ShapeKind kind, const LaneShape *s, const LaneGroove *g,
                                                             const Lane3 *p, LaneProbe *out)
 {
@@ -196,7 +196,7 @@ static __attribute__((noinline, unused)) void shape_grooved(ShapeKind kind, cons
 /* Distance, normal and curvature of LANES points against obstacles: boxes with rounded edges and bell-mouths.
  * docs/model.md, "Boxes, edges and bell-mouths". */
 
-/* As in BoxSection and BellRing; centre, axis, radius and half width are in LaneShape. */
+/* Members as in BoxSection and BellRing; centre, axis, radius and half width are in LaneShape. */
 typedef struct LaneBox {
     Lane3 side;
     Lane half[2], edge;
@@ -206,7 +206,7 @@ typedef struct LaneBell {
     Lane ring;
 } LaneBell;
 
-/* A box, grown by its edges' radius from a smaller one, the core (OB1)-(OB3). A function of its own, and vectors by
+/* A box: a smaller one, the core, grown by the radius of the edges (OB1)-(OB3). A separate function, with vectors by
  * address, as shape_grooved. */
 static __attribute__((noinline, unused)) void shape_box(const LaneShape *s, const LaneBox *box, const Lane3 *p,
                                                         LaneProbe *out)
@@ -215,7 +215,7 @@ static __attribute__((noinline, unused)) void shape_box(const LaneShape *s, cons
     const Lane3 frame[3] = {s->axis, box->side, l3_cross(s->axis, box->side)};
     const Lane half[3] = {s->half_width, box->half[0], box->half[1]};
     const Lane3 from_centre = l3_sub(*p, s->centre);
-    /* against each pair of the core's faces, and how far outside of it */
+    /* relative to each pair of the core's faces, and the distance outside of it */
     Lane sign[3], q[3], beyond[3];
     for (int c = 0; c < 3; ++c) {
         const Lane z = l3_dot(from_centre, frame[c]);
@@ -238,7 +238,7 @@ static __attribute__((noinline, unused)) void shape_box(const LaneShape *s, cons
     }
     out->normal = l3_axpy(l3_axpy(l3_scale(n[0], frame[0]), n[1], frame[1]), n[2], frame[2]);
 
-    /* the core's direction that the normal has least of gives the first tangent: along an edge, that edge */
+    /* the core's direction with the least component of the normal gives the first tangent: along an edge, that edge */
     const LaneMask low = (beyond[0] <= beyond[1]) & (beyond[0] <= beyond[2]), mid = beyond[1] <= beyond[2];
     const Lane least = lane_select(low, beyond[0], lane_select(mid, beyond[1], beyond[2]));
     const Lane slant = lane_select(low, n[0], lane_select(mid, n[1], n[2]));
@@ -253,11 +253,11 @@ static __attribute__((noinline, unused)) void shape_box(const LaneShape *s, cons
     out->scale = lane_select(outside, length, one);
 }
 
-/* A bell-mouth: a ring of round section, in whose hole the flare is (OB4), (OB5). */
+/* A bell-mouth: a ring of round section, with the flare in its hole (OB4), (OB5). */
 static __attribute__((noinline, unused)) void shape_bell(const LaneShape *s, const LaneBell *bell, const Lane3 *p,
                                                          LaneProbe *out)
 {
-    const double tiny = 1e-60; /* keeps the axis, and the middle of the section, from dividing by zero */
+    const double tiny = 1e-60; /* avoids a division by zero on the axis and in the middle of the section */
     const Lane3 from_centre = l3_sub(*p, s->centre);
     const Lane z = l3_dot(from_centre, s->axis);
     const Lane3 radial = l3_axpy(from_centre, -z, s->axis);
@@ -275,11 +275,10 @@ static __attribute__((noinline, unused)) void shape_bell(const LaneShape *s, con
     out->scale = r;
 }
 
-/* Distance, normal and curvature of LANES points against the kinds of shape beside the cylinder: which function is
- * whose.
- */
+/* Distance, normal and curvature of LANES points against the shapes other than cylinders: calls the function of the
+ * kind. */
 
-/* What shape_form gives, in lanes. */
+/* Result of shape_form, in lanes. */
 typedef union LaneForm {
     Lane row[SHAPE_FORM];
     LaneGroove groove;
@@ -315,14 +314,14 @@ LANE_INLINE void shape_by_kind(ShapeKind kind, const LaneShape *s, const LaneFor
     }
 }
 
-/* A U's wall is taken as no steeper than this where the nearest point is looked for: n_rho of (GR15). */
+/* Largest steepness of a U's wall in the search for the nearest point: least n_rho of (GR15). */
 static const double LEAST_N_RHO = 0.2;
 
-/* Of the arc's radius: a cable farther than this from a U touches nothing of it (GR16). */
+/* Share of the arc's radius: a cable farther than this from a U does not touch it (GR16). */
 static const double OUT_OF_GROOVE = 0.9;
 
-/* Slope of the distance along `direction` at p, by which lines are searched for the place where they are nearest: that
- * of the distance itself but in a U beside walls that stand upright (GR15), and above its lips (GR16). */
+/* Slope of the distance along `direction` at p, by which lines are searched for the nearest place: that of the distance
+ * itself except in a U beside upright walls (GR15), and above its lips (GR16). */
 LANE_INLINE Lane shape_slope(ShapeKind kind, const LaneShape *s, const LaneForm *form, Lane3 p, const LaneProbe *probe,
                              Lane3 direction)
 {
@@ -337,15 +336,15 @@ LANE_INLINE Lane shape_slope(ShapeKind kind, const LaneShape *s, const LaneForm 
     return slope + more * l3_dot(l3_cross(probe->t1, s->axis), direction);
 }
 
-/* How much of a point of the contact line is whose: the weights of an element's two segments, for LANES elements at
- * once, the same in space and in a plane. docs/model.md, "Contact line". */
+/* Weights of an element's two segments at a point of the contact line, for LANES elements at once, the same in space
+ * and in a plane. docs/model.md, "Contact line". */
 
 /* The weights of the two bodies (C2), or their derivatives by u. */
 typedef struct LaneWeights {
     Lane alpha[2], beta[2];
 } LaneWeights;
 
-/* An element's coefficients: of its arc, and of what it has besides (C3). */
+/* An element's coefficients: of its arc, and of its other part (C3). */
 typedef struct LaneShares {
     Lane arc, alpha, beta[2][2];
 } LaneShares;

@@ -1,4 +1,4 @@
-/* The scalar side of the shapes: distances for the candidates' tree and for the readers, and one lane of the kernels'
+/* The scalar side of the shapes: distances for the candidates' tree and for input, and one lane of the kernels'
  * functions for tests. */
 #include "contact/shape.h"
 

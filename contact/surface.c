@@ -1,4 +1,4 @@
-/* From a user's description to patches: each face of the cross-section is laid along each part of the way. */
+/* From a user's description to patches: each face of the cross-section is swept along each part of the way. */
 #include "contact/surface.h"
 
 #include <assert.h>
@@ -15,7 +15,7 @@ static SurfaceFade fade_between(double from, double to, double band)
     return (SurfaceFade){1, from - band / 2, from + band / 2, to - band / 2, to + band / 2};
 }
 
-/* The way fades in and out around the stretch's ends; parts that lie between need no weight. */
+/* The way fades in and out around the stretch's ends; parts in between need no weight. */
 static void way_fade(const SurfaceShape *shape, SurfacePatch *way)
 {
     const double half = shape->fade / 2;
@@ -41,8 +41,8 @@ static void face_across(SurfacePatch *face, double vy, double vz, SurfaceFade fa
     face->across = fade;
 }
 
-/* A floor and, if it has sides, two upright walls. The walls' weight begins below the floor, out of the cable's way,
- * and ends where the cable's centre is its radius above their top. */
+/* A floor and, if it has sides, two upright walls. The weight of a wall begins below the floor, out of the cable's way,
+ * and ends where the cable's centre is its radius above the wall's top. */
 static int faces_flat(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch *out)
 {
     const double band = d->cable_radius, top = d->height - d->depth;
@@ -72,7 +72,7 @@ static int faces_v(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch 
     return 2;
 }
 
-/* The lower half of a tube, open above, whose sides may go on upright. */
+/* The lower half of a tube, open above, whose sides may extend upright. */
 static int faces_u(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch *out)
 {
     const double top = d->height - d->depth;
@@ -97,7 +97,7 @@ static int faces(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch *o
     return 1;
 }
 
-/* A plane by point and normal is a straight floor of its own, as long and as wide as was said. */
+/* A plane by point and normal is a straight floor of its own, with the given length and width. */
 static SurfacePatch plane_patch(const SurfaceShape *d)
 {
     SurfacePatch p = {
@@ -139,7 +139,7 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
     if (shape->kind == SURFACE_PLANE) {
         *out++ = plane_patch(shape);
     } else {
-        /* only a tube about the route looks the same however it is rolled */
+        /* only a tube about the route is the same at every roll */
         const int rolls = shape->kind != SURFACE_DUCT || shape->lift != 0;
         const double last = shape->to + shape->fade / 2;
         double s = shape->from - shape->fade / 2;
@@ -181,7 +181,7 @@ void surface_stick_free(SurfaceStick *stick)
     memset(stick, 0, sizeof *stick);
 }
 
-/* Nothing collected yet, for elements from .. to-1. */
+/* Prepares elements from .. to-1, with no leans collected yet. */
 static void surface_stick_begin(SurfaceStick *stick, int from, int to)
 {
     for (int b = 0; b < stick->n_beds; ++b) {
@@ -190,7 +190,7 @@ static void surface_stick_begin(SurfaceStick *stick, int from, int to)
     }
 }
 
-/* A step to t has been accepted: what was collected is what is remembered. */
+/* Accepts a step to t: the collected leans become the stored ones. */
 static void surface_stick_accept(SurfaceStick *stick, double t)
 {
     for (int b = 0; b < stick->n_beds; ++b) {
@@ -225,8 +225,8 @@ void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, i
     }
 }
 
-/* The corridor of a call: for every range of candidates, strips of LANES consecutive elements go through a kernel that
- * adds to the loads itself; blocks are scattered here. Nothing allocates but surface_refresh. */
+/* The steps of a call: for every range of candidates, strips of LANES consecutive elements go through a kernel that
+ * adds to the loads itself; blocks are scattered here. Only surface_refresh allocates. */
 
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
 {
@@ -235,8 +235,7 @@ SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
     return out;
 }
 
-/* Two points of [0, 1] and what share of the length they stand for: Gauss, and Radau where one has to be the line's end
- * (DU16). */
+/* Two points of [0, 1] and their shares of the length: Gauss, and Radau where one has to be the line's end (DU16). */
 typedef struct Rule {
     double u[SURFACE_POINTS], share[SURFACE_POINTS];
 } Rule;
@@ -252,11 +251,11 @@ static const Rule *rule_of(int elements, int e)
     return e == 0 ? &from_tip : e == elements - 1 ? &to_tip : &gauss;
 }
 
-/* A segment's value, 0 for a segment that is not there. */
+/* A segment's value, 0 for a segment that does not exist. */
 static double segment_value(const double *array, int i, int n) { return i >= 0 && i < n ? array[i] : 0; }
 
-/* (DU1), (DU2): the weights of element.h at a fixed u. A capsule hangs on the body that has its number. The line's ends
- * stand for more (DU17). */
+/* (DU1), (DU2): the weights of contact/shape.h at a fixed u. A capsule belongs to the body that has its number. The
+ * line's ends have a larger share (DU17). */
 static void point_set(SurfacePoints *points, ContactGeometry geometry, const Chain *chain, int e, int q)
 {
     const Element element = element_at(geometry, chain->n, e);
@@ -348,7 +347,7 @@ static int range_add(SurfacePairs *pairs, SurfaceRange range)
     return 1;
 }
 
-/* Element e is a candidate of this patch: it lengthens the last range or begins a new one. */
+/* Adds element e as a candidate of this patch: it extends the last range or begins a new one. */
 static int candidate_add(SurfacePairs *pairs, int patch, int e)
 {
     SurfaceRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
@@ -373,7 +372,7 @@ static Sphere run_sphere(const Chain *chain, const Kinematics *kin, int from, in
     return (Sphere){v3_scale(0.5, v3_add(low, high)), v3_norm(v3_sub(high, low)) / 2 + most};
 }
 
-/* Whether a sphere comes within reach of the part of the way that a patch lies on (DU13). */
+/* Checks whether a sphere comes within reach of the part of the way on which a patch is (DU13). */
 static int way_reaches(const SurfacePatch *patch, Sphere sphere, double reach)
 {
     if (!(patch->length > 0)) return 1;
@@ -384,7 +383,7 @@ static int way_reaches(const SurfacePatch *patch, Sphere sphere, double reach)
 
 enum { RUN = 32 }; /* elements under one sphere */
 
-/* Candidates of all patches in one run of elements, whose sphere rules most patches out. */
+/* Candidates of all patches in one run of elements, whose sphere excludes most patches. */
 static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int patch,
                        SurfacePairs *pairs, int from, int to)
 {
@@ -406,7 +405,7 @@ hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, con
     for (int patch = 0; patch < model->n_patches; ++patch) {
         for (int from = pairs->from; from < pairs->to; from += RUN) {
             const int to = from + RUN < pairs->to ? from + RUN : pairs->to;
-            /* an element hangs on the segment before it and its own */
+            /* an element depends on the segment before it and its own */
             const Sphere around = run_sphere(chain, kin, from > 0 ? from - 1 : 0, to < chain->n ? to : chain->n);
             if (!way_reaches(&model->patch[patch], around, model->reach)) continue;
             if (!run_refresh(model, chain, kin, patch, pairs, from, to)) return error_memory(err);
@@ -428,7 +427,7 @@ static void tally_element(const SurfaceStrip *strip, const SurfacePush *push, in
         if (!(load > 0)) continue;
         const Vec3 force = batch_at(push->force[q], l);
         tally->force = v3_sub(tally->force, force);
-        /* the force is N n minus the friction, square to n */
+        /* the force is N n minus the friction, which is normal to n */
         tally->friction += sqrt(fmax(0, v3_dot(force, force) - load * load));
         normal += load;
         moment += load * push->along[q][l];
@@ -564,7 +563,7 @@ int surface_presume(const SurfaceModel *model, const Chain *chain, const Kinemat
             surface_kernels()->gaps(&strip, gap);
             for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
                 const int l = k / SURFACE_POINTS, q = k % SURFACE_POINTS, e = strip.first + l;
-                if (!(gap[q][l] < INFINITY)) continue; /* another patch's */
+                if (!(gap[q][l] < INFINITY)) continue; /* it belongs to another patch */
                 const int j = e < chain->n ? e : chain->n - 1;
                 const double before = how->from == PRESUME_LAST ? patch[r.patch] : bed[q][e];
                 bed[q][e] =
@@ -607,7 +606,7 @@ void surface_clock(SurfacePairs *pairs, double t)
     stick->elapsed = t > stick->since ? t - stick->since : 0;
 }
 
-/* The points that touch are looked at once more, for how far each leans. */
+/* Evaluates the points in contact once more to find their leans. */
 void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t, SurfacePairs *pairs)
 {
     surface_clock(pairs, t);
@@ -636,7 +635,7 @@ void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined)
     }
 }
 
-/* The way in parts: straights and arcs, cut at the route's corners and every quarter of a bend; curves are laid out in
+/* The way in parts: straights and arcs, cut at the route's corners and every quarter of a bend; curves are replaced by
  * pairs of arcs. */
 
 static const double PI = 3.14159265358979323846;
@@ -644,19 +643,19 @@ static const double PI = 3.14159265358979323846;
 /* Changes of roll below this are rounding, rad. */
 static const double TWIST_MIN = 1e-9;
 
-/* 1/m: an arc that bends less is laid straight. */
+/* 1/m: an arc with less curvature is made straight. */
 static const double STRAIGHT_MAX = 1e-7;
 
-/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it (RO18).
- */
+/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it
+ * (RO18). */
 static double part_length(const RoutePiece *p)
 {
     const double quarter = p->radius * PI / 2;
     return p->kind == ROUTE_BEND ? quarter : fmin(quarter, cbrt(100 * SURFACE_WAY_OFF / fmax(p->curve.jerk, 1e-12)));
 }
 
-/* Where the part of the way that begins at s ends: at a corner of the route, after at most a quarter of a bend, or at
- * `last`. The route goes on straight at both ends. */
+/* End of the part of the way that begins at s: a corner of the route, at most a quarter of a bend, or `last`. The route
+ * continues straight at both ends. */
 static double way_end(const Route *route, double s, double last)
 {
     if (s < 0) return fmin(0, last);
@@ -680,7 +679,7 @@ static double roll_at(const Route *route, double s, Vec3 side, double near)
     return roll + 2 * PI * round((near - roll) / (2 * PI));
 }
 
-/* The roll at both ends of an arc (DU6), followed along it so that no turn is lost. */
+/* The roll at both ends of an arc (DU6), followed along it so that no full turn is lost. */
 static void way_roll(const Route *route, double from, double to, SurfacePatch *way)
 {
     enum { STEPS = 16 };
@@ -698,7 +697,8 @@ static void way_roll(const Route *route, double from, double to, SurfacePatch *w
     way->roll_sin = sin(way->roll[0]);
 }
 
-/* The part of the way between two places, without a section. Its end is, to the last bit, where the next one starts. */
+/* The part of the way between two places, without a section. Its end is equal, to the last bit, to the start of the
+ * next one. */
 static SurfacePatch way_part(const Route *route, double from, double to, int rolls)
 {
     const RoutePoint a = route_at(route, from), b = route_at(route, to);
@@ -720,7 +720,7 @@ static SurfacePatch way_part(const Route *route, double from, double to, int rol
     return way;
 }
 
-/* The level unit vector to the left of a tangent (R2); of an upright one any that is square to it. */
+/* The level unit vector to the left of a tangent (R2); for an upright tangent any that is normal to it. */
 static Vec3 level_left(Vec3 t)
 {
     const Vec3 left = v3(-t.y, t.x, 0);
@@ -747,7 +747,7 @@ static void arc_roll(SurfacePatch *way)
     way->roll_sin = sin(way->roll[0]);
 }
 
-/* One arc of a pair, which leaves `a` along its tangent and comes to b; `on` is a's place along the route. */
+/* One arc of a pair, which leaves `a` along its tangent and reaches b; `on` is a's place along the route. */
 static SurfacePatch way_arc(const RoutePoint *a, const RoutePoint *b, double on, int rolls)
 {
     SurfacePatch way = {.s0 = on, .start = a->position, .tangent = a->tangent};
@@ -771,7 +771,7 @@ static SurfacePatch way_arc(const RoutePoint *a, const RoutePoint *b, double on,
     return way;
 }
 
-/* Two arcs that have places and tangents of the curve at both ends and a tangent in common where they meet (RO17). */
+/* Two arcs that have the places and tangents of the curve at both ends and a common tangent where they meet (RO17). */
 static int way_pair(const Route *route, double from, double to, int rolls, SurfacePatch *way)
 {
     const RoutePoint a = route_at(route, from), b = route_at(route, to);

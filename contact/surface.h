@@ -13,21 +13,21 @@
 
 typedef enum SurfaceKind { SURFACE_DUCT, SURFACE_FLAT, SURFACE_V, SURFACE_U, SURFACE_PLANE } SurfaceKind;
 
-/* A surface as a user describes it. Cross-sections are seen along the route: y level to the left, z up, both square to
+/* A surface as a user describes it. Cross-sections are seen along the route: y level to the left, z up, both normal to
  * the route, whose line is at the origin. */
 typedef struct SurfaceShape {
     SurfaceKind kind;
     double from, to;           /* m along the route; not of planes */
-    double fade;               /* m over which it begins and ends, half of them outside from .. to; > 0 */
-    double cable_radius;       /* m, the largest: bands in which sides end */
+    double fade;               /* m over which it begins and ends, half of it outside from .. to; > 0 */
+    double cable_radius;       /* m, the largest: width of the bands in which sides end */
     double radius;             /* duct, U: inside, m */
     double lift;               /* duct: its centre above the route, m */
     double depth;              /* flat, V, U: the bottom (of V: of a cable of cable_radius in it) below the route, m */
-    double width;              /* flat: m; plane: across `along`, 0: without end */
-    double height;             /* flat, V, U: top of the sides over the bottom, m; flat: 0 is no sides */
+    double width;              /* flat: m; plane: across `along`, 0: infinite */
+    double height;             /* flat, V, U: top of the sides over the bottom, m; flat: 0 means no sides */
     double angle;              /* V: between its planes, rad */
-    Vec3 point, normal, along; /* plane: m; unit, toward the cable; unit, square to the normal */
-    double length;             /* plane: along `along`, m; 0: without end */
+    Vec3 point, normal, along; /* plane: m; unit, toward the cable; unit, normal to `normal` */
+    double length;             /* plane: along `along`, m; 0: infinite */
 } SurfaceShape;
 
 typedef enum SectionKind { SECTION_TUBE, SECTION_TROUGH, SECTION_FLAT } SectionKind;
@@ -39,10 +39,10 @@ typedef struct SurfaceFade {
 } SurfaceFade;
 
 typedef struct SurfacePatch {
-    int surface, face; /* of its cross-section, below SURFACE_FACES_MAX (surface_data.h) */
-    int law;           /* which of the model's friction laws: by surface_patches the surface's number */
+    int surface, face; /* of its cross-section, below SURFACE_FACES_MAX */
+    int law;           /* index of the model's friction law: as set by surface_patches the surface's number */
     /* the way: s runs along it from its start */
-    double s0, length;   /* m along the route at the start (NAN: none); m, 0: without end */
+    double s0, length;   /* m along the route at the start (NAN: none); m, 0: infinite */
     Vec3 start, tangent; /* m; unit, at the start */
     Vec3 side, up;       /* unit; tangent, side, up are right-handed; a bend's centre lies to the side */
     double bend;         /* m, radius; 0: straight */
@@ -59,10 +59,11 @@ typedef struct SurfacePatch {
     SurfaceFade along;     /* over s */
     SurfaceFade across;    /* over vy y + vz z */
     double vy, vz;
-    double depth; /* m: what is farther behind it is on its other side and does not touch it; INFINITY: it has none */
+    double depth; /* m: a point farther behind it is on its other side, without contact; INFINITY: it has no other
+                   * side */
 } SurfacePatch;
 
-/* How many patches a surface has, and the patches themselves, all for surface number `surface`. The route is not used
+/* Number of patches of a surface, and the patches themselves, all for surface number `surface`. The route is not used
  * for planes. The shape must have been checked. */
 int surface_patch_count(const SurfaceShape *shape, const Route *route);
 void surface_patches(const SurfaceShape *shape, const Route *route, int surface, SurfacePatch *patch);
@@ -76,15 +77,15 @@ typedef struct SurfaceProbe {
 
 /* From the kernels' own function: for checks of cases, tests and tools. */
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p);
-/* SurfacePatch.depth of what has another side, m. A plane without ends has none. */
+/* SurfacePatch.depth of a face that has another side, m. An infinite plane has none. */
 #define SURFACE_DEPTH_MAX 0.2
-/* m: how far the arcs of a duct or tray may lie beside a curve of the route. */
+/* m: largest distance of the arcs of a duct or tray from a curve of the route. */
 #define SURFACE_WAY_OFF 5e-5
 enum { SURFACE_WAY_MAX = 2 };
 
 /* The part of the way that begins at *s and ends at `last` or before: patches without a section, each of whose ends is,
  * to the last bit, where the next one starts. Moves *s to the part's end. rolls: the section has a top, and needs the
- * roll that keeps it level. Returns how many patches: two arcs for a part of a curve, else one. */
+ * roll that keeps it level. Returns the number of patches: two arcs for a part of a curve, else one. */
 int surface_way(const Route *route, double *s, double last, int rolls, SurfacePatch way[SURFACE_WAY_MAX]);
 /* The data of contact with surfaces, shared by surface.c and its kernels. docs/model.md, "Surfaces". */
 
@@ -92,19 +93,19 @@ enum { SURFACE_POINTS = 2 }; /* Gauss points of an element (DU1) */
 
 enum { SURFACE_FACES_MAX = 3 };
 
-/* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has no weight) (DU2). */
+/* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has zero weight) (DU2). */
 typedef struct SurfacePoints {
-    double tip; /* m of cable that an end of the line stands for besides its share (DU17) */
+    double tip; /* m of cable in addition to its share at an end of the line (DU17) */
     int elements;
     double *alpha[SURFACE_POINTS];   /* of body e; that of body e-1 is 1 - alpha */
     double *beta[SURFACE_POINTS][2]; /* of the arms of e-1 and e */
-    double *length[SURFACE_POINTS];  /* m of cable that the point stands for */
+    double *length[SURFACE_POINTS];  /* m of cable in the point's share */
     double *radius[SURFACE_POINTS];  /* contact radius there, m */
 } SurfacePoints;
 
-/* What never changes during a run. */
+/* Data that never change during a run. */
 typedef struct SurfaceModel {
-    ImpactLaw impact; /* for each metre of cable: k in N/m^e per m, c in N s/m per m */
+    ImpactLaw impact; /* per metre of cable: k in N/m^e per m, c in N s/m per m */
     double reach;     /* m: as in ContactModel */
     int n_surfaces, n_patches;
     const FrictionLaw *friction; /* by SurfacePatch.law, the surfaces' own first; borrowed */
@@ -117,18 +118,18 @@ typedef struct SurfaceRange {
     int patch, first, count;
 } SurfaceRange;
 
-/* What the points of the line remember between steps where friction on surfaces sticks: the lean of each point's
- * bristle against each face. docs/model.md, "Friction that sticks". The points are fixed on the cable, so a lean stays
- * with its point; arrays over elements, as the kernels want them. Part of a run's state, beside y, as StickStore is. */
+/* State of friction that sticks on surfaces, kept between steps: the lean of each point's bristle against each face.
+ * docs/model.md, "Friction that sticks". The points are fixed on the cable, so a lean stays with its point; arrays over
+ * elements, as the kernels need them. Part of a run's state, beside y, as StickStore is. */
 
 /* One face of a surface that sticks. */
 typedef struct SurfaceBed {
-    double *lean[SURFACE_POINTS][3]; /* chain arrays, m, world: at the last accepted step; zero where nothing touched */
+    double *lean[SURFACE_POINTS][3];  /* chain arrays, m, world: at the last accepted step; zero without contact */
     double *fresh[SURFACE_POINTS][3]; /* being collected for the next */
 } SurfaceBed;
 
-/* What the points are presumed to press with, N for each metre of cable (PS11): chain arrays by face, as SurfaceBed, of
- * those faces that have had a candidate. */
+/* Presumed contact forces of the points, N per metre of cable (PS11): chain arrays by face, as SurfaceBed, for those
+ * faces that have had a candidate. */
 typedef struct SurfacePresumed {
     int n_beds;                     /* SURFACE_FACES_MAX for each surface */
     double *(*bed)[SURFACE_POINTS]; /* [n_beds] NULL where there is none */
@@ -148,23 +149,23 @@ typedef struct SurfacePairs {
     int candidates;                  /* pairs of element and patch */
     int active;                      /* points that carried force in the last call of surface_forces with a tally */
     ContactTally work;               /* of the last call of surface_forces */
-    const SurfacePresumed *presumed; /* the law is a line about it; borrowed; NULL: it is the law itself */
+    const SurfacePresumed *presumed; /* the law is a line about it; borrowed; NULL: the law itself applies */
     SurfaceStick stick; /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
 } SurfacePairs;
 
-/* What the cable does to one surface. */
+/* Load of the cable on one surface. */
 typedef struct SurfaceTally {
     Vec3 force;       /* N, on the surface */
     double normal;    /* N, sum of the normal forces' sizes */
     double friction;  /* N, sum of the friction forces' sizes */
     double line_load; /* N/m, the largest normal force of an element on a face over the element's length */
-    double at; /* m along the route, where that is; NAN: nothing touches, or the surface is not along the route */
+    double at;        /* m along the route, its place; NAN: no contact, or the surface is not along the route */
 } SurfaceTally;
 
-/* ------------------------------------------------------------------- surface_stick.c, for surface.c */
+/* ------------------------------------------------------------------- friction that sticks, for contact/surface.c */
 
 void surface_stick_free(SurfaceStick *stick);
-/* What surface_lanes.c and surface_blocks_lanes.c offer to surface.c, once for every instruction set. */
+/* The kernels of contact/surface_lanes.c, once for every instruction set. */
 
 /* Up to LANES consecutive elements against one patch. */
 typedef struct SurfaceStrip {
@@ -181,7 +182,7 @@ typedef struct SurfaceStrip {
     int first, count;                       /* elements first .. first + count - 1 */
 } SurfaceStrip;
 
-/* The forces of a strip, point by point; zeros where nothing touches. */
+/* The forces of a strip, point by point; zeros without contact. */
 typedef struct SurfacePush {
     _Alignas(64) double force[SURFACE_POINTS][3][LANES]; /* N, on the cable */
     double normal[SURFACE_POINTS][LANES];                /* N */
@@ -189,42 +190,43 @@ typedef struct SurfacePush {
 } SurfacePush;
 
 typedef struct SurfaceKernels {
-    /* Adds a strip's forces and moments to loads, and what they do to work; returns whether any point touches. out:
-     * NULL, or written if so. */
+    /* Adds a strip's forces and moments to loads, and their work to `work`; returns whether any point is in contact.
+     * out: NULL, or written if so. */
     int (*push)(const SurfaceStrip *strip, Loads *loads, SurfacePush *out, ContactTally *work);
-    /* The derivatives of a strip's forces; returns 0, and writes nothing, if no point touches. Bodies 0 and 1 of lane l
-     * are the segments before and after element first + l. */
+    /* The derivatives of a strip's forces; returns 0, and writes nothing, without contact. Bodies 0 and 1 of lane l are
+     * the segments before and after element first + l. */
     int (*columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);
-    /* near[l]: whether a point of the element comes within reach (m) of the patch (DU13). */
+    /* near[l]: 1 if a point of the element is within reach (m) of the patch (DU13). */
     void (*near)(const SurfaceStrip *strip, double reach, int near[LANES]);
-    /* m, by point; INFINITY where it is not this patch's. */
+    /* m, by point; INFINITY where it does not belong to this patch. */
     void (*gaps)(const SurfaceStrip *strip, double gap[SURFACE_POINTS][LANES]);
-    /* Adds to the bed's fresh arrays how far the bristles lean, should the step end here. */
+    /* Adds the leans of the bristles to the bed's fresh arrays, for the case that the step ends here. */
     void (*keep)(const SurfaceStrip *strip);
     void (*probe)(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out);
 } SurfaceKernels;
 
 ISA_KERNELS(SurfaceKernels, surface_kernels)
 
-/* Contact between the cable's line and surfaces that it lies on along a length: ducts, trays, floors, walls.
+/* Contact between the cable's line and surfaces that bear it along a length: ducts, trays, floors, walls.
  * docs/model.md, "Surfaces".
  *
  * Unlike a roller, which the line touches where it comes nearest, a surface acts at fixed points of every element of
- * the line, each standing for a length of cable (DU1): its stiffness does not depend on how the cable is cut.
+ * the line, each with a share of the cable's length (DU1): its stiffness does not depend on how the cable is cut.
  *
  * A surface is made of patches: one for each piece of the way along which it runs (a straight, or at most a quarter of
- * a bend) and each face of its cross-section. Life as in contact/roller.h: alloc -> refresh -> forces and
- * blocks, any number of times, until contact_moved_too_far. Nothing is searched between two refreshes. */
+ * a bend) and each face of its cross-section. Life as in contact/roller.h: alloc -> refresh -> forces and blocks, any
+ * number of times, until contact_moved_too_far. Nothing is searched between two refreshes. */
 
-/* Points of a chain (lengths and radii, and points->tip, must be set). Returns 0 without memory (nothing is left
- * allocated). */
+/* Creates the points of a chain (lengths and radii, and points->tip, must be set). Returns 0 without memory (nothing is
+ * left allocated). */
 int surface_points_alloc(SurfacePoints *points, ContactGeometry geometry, const Chain *chain);
 void surface_points_free(SurfacePoints *points);
-/* Elements from .. to-1, no candidates yet: allocates nothing. The free may be called on a zeroed struct. */
+/* Initialises elements from .. to-1, without candidates: allocates nothing. The free may be called on a zeroed
+ * struct. */
 void surface_pairs_init(SurfacePairs *pairs, int from, int to);
 void surface_pairs_free(SurfacePairs *pairs);
-/* Beds for the surfaces whose friction sticks, of a chain of n segments; whether there are any is surface_sticks.
- * Returns 0 without memory. */
+/* Creates beds for the surfaces whose friction sticks, for a chain of n segments; surface_sticks checks whether there
+ * are any. Returns 0 without memory. */
 int surface_sticks(const SurfaceModel *model);
 int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n);
 /* Finds the candidates: all elements with a point within reach of a patch (DU13), in O(n + patches n / 32 + candidates)
@@ -232,12 +234,12 @@ int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n);
 hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, SurfacePairs *pairs,
                               hawser_error *err);
 /* Adds forces (N) and moments (N m) on the segments to loads (its ghosts are overwritten) (DU9), (DU10). friction_scale
- * multiplies every friction coefficient. tally[n_surfaces] (NULL: not wanted) is added to: set it by surface_tally_new
- * first. */
+ * multiplies every friction coefficient. tally[n_surfaces] (NULL: not required) is added to: set it by
+ * surface_tally_new first. */
 void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     SurfacePairs *pairs, Loads *loads, SurfaceTally *tally);
 SurfaceTally surface_tally_new(void);
-/* One point of the line that is pressed on a surface, for tools and reports. */
+/* One point of the line in contact with a surface, for tools and reports. */
 typedef struct SurfaceDetail {
     int surface, element, point_number;
     double normal, gap; /* N; m, below 0 */
@@ -245,27 +247,27 @@ typedef struct SurfaceDetail {
     Vec3 force;         /* N, on the cable */
 } SurfaceDetail;
 
-/* Writes all that carry force, SURFACE_POINTS for each candidate at most; returns how many. loads are scratch. */
+/* Writes all that carry force, at most SURFACE_POINTS for each candidate; returns their number. loads are scratch. */
 int surface_details(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
                     Loads *loads, SurfaceDetail *out);
-/* Writes into `out`, zeroed at first, what the candidates' points are presumed to press with; `patch` [n_patches], N/m:
- * what presume_force has for `before` with PRESUME_LAST; with PRESUME_LINE that is what `out` holds. Returns 0 without
- * memory; the free may follow either way. */
+/* Writes the presumed forces of the candidates' points into `out`, zeroed at first; `patch` [n_patches], N/m: `before`
+ * in presume_force with PRESUME_LAST; with PRESUME_LINE that is the content of `out`. Returns 0 without memory; the
+ * free may follow either way. */
 int surface_presume(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
                     const Presume *how, const double *patch, SurfacePresumed *out);
 void surface_presumed_free(SurfacePresumed *presumed);
-/* Raises patch [n_patches], N/m, to the mean of the springs' forces over those points of each that press. */
+/* Raises patch [n_patches], N/m, to the mean of the springs' forces over its points in contact. */
 void surface_pressed(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
                      double *patch);
-/* The chain has been renumbered: element e is now e + joined. Adds what `old` remembers of elements that are `now`'s;
- * to be called for all pairs of old and new halves. */
+/* Moves leans after the chain was renumbered: element e is now e + joined. Adds those of `old` for elements that belong
+ * to `now`; must be called for all pairs of old and new halves. */
 void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined);
-/* Evaluations that follow are at t; and: a step to (t, kin) has been accepted, points that stick remember their lean.
- * Both are needed only where surface_sticks. */
+/* Sets the time t of the following evaluations; accepts a step to (t, kin) and stores the leans of points that stick.
+ * Both are needed only if surface_sticks. */
 void surface_clock(SurfacePairs *pairs, double t);
 void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t,
                     SurfacePairs *pairs);
-/* The candidates, and what sticks; n: segments. */
+/* Saves or loads the candidates and the leans; n: segments. */
 void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, int n);
 /* Adds the derivatives of these forces to k and d, as contact_blocks does (DU11), (DU12), of elements from .. to-1
  * only. */

@@ -1,10 +1,10 @@
-/* The force kernels of surface_kernels.h for one instruction set. */
+/* The kernels of contact/surface.h for one instruction set: forces. */
 #include "contact/surface_lanes.h"
 
 /* Adds to LANES entries of three arrays. */
 LANE_INLINE void lanes_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
 
-/* What the point does to the motion (BA5), (BA6). */
+/* Effect of the point on the motion (BA5), (BA6). */
 LANE_INLINE void work_add(const SurfaceContact *c, LaneMask near, ContactTally *work)
 {
     const Lane zero = lane_set(0), share = c->share.value * c->length, held = c->length * c->push.energy;
@@ -12,7 +12,7 @@ LANE_INLINE void work_add(const SurfaceContact *c, LaneMask near, ContactTally *
     work->friction += lane_sum(lane_select(c->push.touches, c->load * rub_loss(&c->rub, c->slide), zero));
     work->damping += lane_sum(lane_select(near, share * c->push.loss, zero));
     work->energy += lane_sum(lane_select(near, share * c->push.energy, zero));
-    /* the weight multiplies the force only (DU8): what it lends to the springs where it rises along the way (BA10) */
+    /* the weight multiplies the force only (DU8): its work on the springs where it rises along the way (BA10) */
     const Lane rise = held * l3_dot(c->share.slope, c->pdot);
     work->edges += lane_sum(lane_select(near, rise + c->load * (toward - rate), zero));
     const Lane3 force = lanes_keep(c->push.touches, c->force);
@@ -21,7 +21,7 @@ LANE_INLINE void work_add(const SurfaceContact *c, LaneMask near, ContactTally *
     work->force[2] += lane_sum(force.z);
 }
 
-/* One point of every element of the strip; returns whether any touches. */
+/* One point of every element of the strip; returns whether any is in contact. */
 LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int q, int sticks, Loads *loads,
                            SurfacePush *out, ContactTally *work)
 {
@@ -31,7 +31,7 @@ LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int 
     if (!lane_any(near)) return 0;
     contact_force(strip, s, q, near, sticks, &c);
     work_add(&c, near, work);
-    /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
+    /* by virtual work (C15); the entries of the two bodies overlap, so they are added one after the other */
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
         lanes_add(loads->f, i, lanes_keep(c.push.touches, l3_scale(c.weight.alpha[b], c.force)));
@@ -88,7 +88,7 @@ static void kernel_gaps(const SurfaceStrip *strip, double gap[SURFACE_POINTS][LA
     }
 }
 
-/* A point that touches belongs to one patch of a face, so that the sums have one term each. */
+/* A point in contact belongs to one patch of a face, so that the sums have one term each. */
 static void kernel_keep(const SurfaceStrip *strip)
 {
     const StripBodies s = strip_load(strip);
@@ -129,7 +129,7 @@ typedef struct SurfaceHessian {
     Lane tt, ta, tb, aa, ab, bb;
 } SurfaceHessian;
 
-/* What moving a point does (DU11). */
+/* Derivatives by the motion of a point (DU11). */
 typedef struct PointSlopes {
     Lane3 normal[3]; /* dn by each component of P */
     Lane3 force[3];  /* dF by each component of P, */
@@ -146,7 +146,7 @@ LANE_INLINE SurfaceHessian surface_hessian(const SurfacePatch *patch, const Surf
     h.ab = -g->k * ga * gb;
     h.bb = g->k * ga * ga;
     if (!patch->twisted) return h;
-    /* how the section's turning changes the distance: Q = dG/dtheta and its derivatives */
+    /* effect of the section's rotation on the distance: Q = dG/dtheta and its derivatives */
     const Lane y = at->y, z = at->z, ty = -g->gz, tz = g->gy, lever = ty * z - tz * y;
     const Lane q = g->gy * z - g->gz * y;
     const Lane q_turn = g->k * lever * lever - g->gy * y - g->gz * z;
@@ -203,7 +203,7 @@ LANE_INLINE Lane3 slopes_times(const Lane3 column[3], Lane3 v)
     return l3_axpy(l3_axpy(l3_scale(v.x, column[0]), v.y, column[1]), v.z, column[2]);
 }
 
-/* Adds force and moment rows of one body to a column, where something touches. */
+/* Adds force and moment rows of one body to a column, where there is contact. */
 LANE_INLINE void rows_add(double rows[CONTACT_ROWS][LANES], int body, LaneMask mask, Lane3 force, Lane3 moment)
 {
     force = lanes_keep(mask, force);
@@ -212,7 +212,7 @@ LANE_INLINE void rows_add(double rows[CONTACT_ROWS][LANES], int body, LaneMask m
     batch_vector_store(rows + 6 * body + 3, l3_add(batch_vector(rows + 6 * body + 3), moment));
 }
 
-/* One column: dF, and what it does to the levers through dn and through the turning of body `own` (dr). */
+/* One column: dF, and the change of the levers through dn and through the rotation of body `own` (dr). */
 LANE_INLINE void column_add(const StripBodies *s, const SurfaceContact *c, Lane3 force, Lane3 normal, int own, Lane3 dr,
                             double rows[CONTACT_ROWS][LANES])
 {
@@ -224,7 +224,8 @@ LANE_INLINE void column_add(const StripBodies *s, const SurfaceContact *c, Lane3
     }
 }
 
-/* The twelve columns of body b (DU12): three shifts, three turns, three velocities, three angular velocities. */
+/* The twelve columns of body b (DU12): three displacements, three rotations, three velocities, three angular
+ * velocities. */
 LANE_INLINE void body_columns(const StripBodies *s, const SurfaceContact *c, const PointSlopes *by, int b,
                               ContactMatrix *k, ContactMatrix *d)
 {
@@ -250,7 +251,7 @@ LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix 
     const StripBodies s = strip_load(strip);
     int any = 0;
     for (int q = 0; q < SURFACE_POINTS; ++q) {
-        /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
+        /* the same contact as in the force kernel, from the same state: nothing is stored between the two */
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
         const LaneMask near = contact_gap(strip, &s, q, &c);

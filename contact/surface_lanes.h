@@ -72,7 +72,7 @@ LANE_INLINE void place_bend(const SurfacePatch *patch, Lane3 p, SurfacePlace *at
     at->s = patch->twisted || patch->along.used ? patch->bend * surface_angle(y, x) : lane_set(0);
 }
 
-/* s wherever the point is, for output. */
+/* s for all points, for output. */
 LANE_INLINE Lane surface_along(const SurfacePatch *patch, Lane3 p, const SurfacePlace *at)
 {
     if (!(patch->bend > 0)) return at->s;
@@ -136,7 +136,7 @@ LANE_INLINE SurfaceSection surface_section(const SurfacePatch *patch, const Surf
     const Lane r = lane_sqrt(lane_at_least(at->y * at->y + z * z, 1e-60)), inverse = 1 / r;
     const SurfaceSection tube = {patch->inner - r, -at->y * inverse, -z * inverse, -inverse};
     if (patch->section == SECTION_TUBE) return tube;
-    /* above its centre a trough goes on upright */
+    /* above its centre a trough has upright sides */
     const LaneMask above = z > zero, left = at->y > zero;
     return (SurfaceSection){lane_select(above, patch->inner - lane_select(left, at->y, -at->y), tube.g),
                             lane_select(above, lane_select(left, -one, one), tube.gy),
@@ -178,7 +178,7 @@ LANE_INLINE SurfaceShare surface_share(const SurfacePatch *patch, const SurfaceP
     return (SurfaceShare){along * across, surface_vector(at, slope)};
 }
 
-/* LANES points of the cable's line against one patch: what the force and the derivative kernels share. Derivation and
+/* LANES points of the cable's line against one patch: shared by the force and the derivative kernels. Derivation and
  * equation numbers: docs/model.md, "Surfaces"; letters as there. */
 
 /* A strip's bodies, and the lanes that hold elements. */
@@ -187,7 +187,7 @@ typedef struct StripBodies {
     LaneMask live;
 } StripBodies;
 
-/* A body that is missing at an end of the chain: its ghost may hold anything. */
+/* Clears a body that does not exist at an end of the chain: its ghost may hold anything. */
 LANE_INLINE void body_keep(LaneMask mask, LaneBody *b)
 {
     Lane3 *const vector[4] = {&b->x, &b->r, &b->v, &b->w};
@@ -224,15 +224,15 @@ typedef struct SurfaceContact {
     Lane3 normal; /* n */
     Lane steep;   /* |grad g| */
     SurfaceShare share;
-    LaneImpact push;   /* of each metre, before the weight of (DU8) */
+    LaneImpact push;   /* per metre, before the weight of (DU8) */
     Lane3 slip, slide; /* v_s, v_t (C13) */
     Lane slip_normal;
     Lane load; /* N */
     LaneRub rub;
-    Lane3 force; /* F, N; zero where nothing touches */
+    Lane3 force; /* F, N; zero without contact */
 } SurfaceContact;
 
-/* Where point q of every element is, and how it moves (DU2). */
+/* Place and motion of point q of every element (DU2). */
 LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
 {
     const SurfacePoints *const points = strip->points;
@@ -246,7 +246,7 @@ LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, 
     c->p = weighted(&c->weight, j->x, j->r, k->x, k->r);
 }
 
-/* Where the point is against the patch; whether it is the patch's. */
+/* Place of the point relative to the patch; returns whether it belongs to the patch. */
 LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *s, SurfaceContact *c)
 {
     c->place = surface_place(strip->patch, c->p);
@@ -254,7 +254,7 @@ LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *
     return s->live & c->place.owned & (c->section.g > lane_set(-strip->patch->depth));
 }
 
-/* Whether any lane is near enough to touch, or presumed to: everything further is only done if so. */
+/* Checks whether any lane is near enough for contact, or presumed to be: everything else is computed only if so. */
 LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
 {
     const LaneMask here = contact_here(strip, s, c);
@@ -262,7 +262,7 @@ LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s
     return here & (c->section.g < c->radius);
 }
 
-/* The normal force of each metre. */
+/* The normal force per metre. */
 LANE_INLINE LaneImpact contact_push(const SurfaceStrip *strip, const SurfaceContact *c, int q, LaneMask near)
 {
     const Lane gap = c->section.g - c->radius, rate = c->steep * l3_dot(c->normal, c->pdot), zero = lane_set(0);
@@ -271,8 +271,8 @@ LANE_INLINE LaneImpact contact_push(const SurfaceStrip *strip, const SurfaceCont
     return impact_about(strip->impact, lane_select(near, presumed, zero), gap, rate);
 }
 
-/* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. sticks is a constant, and what is not asked for is
- * not evaluated. */
+/* Velocities, laws, force (DU7)-(DU9); near: result of contact_gap. sticks is a constant: code that it excludes is not
+ * compiled. */
 LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, int q, LaneMask near, int sticks,
                                SurfaceContact *c)
 {
@@ -292,7 +292,7 @@ LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, 
     c->slip = l3_axpy(c->pdot, -c->radius, l3_cross(c->omega, n));
     c->slip_normal = l3_dot(n, c->slip);
     c->slide = l3_axpy(c->slip, -c->slip_normal, n);
-    if (sticks) { /* from what point q of every element remembers */
+    if (sticks) { /* from the stored lean of point q of every element */
         c->rub.kept = l3_load(strip->bed->lean[q], strip->first);
         c->rub.elapsed = lane_set(strip->elapsed);
         c->rub.ratio = lane_set(strip->friction->v_s / strip->friction->d_s);
@@ -308,10 +308,10 @@ LANE_INLINE Lane3 contact_arm(const StripBodies *s, const SurfaceContact *c, int
     return l3_axpy(l3_scale(c->weight.beta[b], s->body[b].r), -c->weight.alpha[b] * c->radius, c->normal);
 }
 
-/* Zero where nothing touches, whatever the numbers are there. */
+/* Zero without contact, whatever the numbers are there. */
 LANE_INLINE Lane3 lanes_keep(LaneMask mask, Lane3 v) { return l3_select(mask, v, l3_zero()); }
 
-/* In surface_blocks_lanes.c; see SurfaceKernels. */
+/* Further down in contact/surface_lanes.c; see SurfaceKernels. */
 int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);
 
 #endif

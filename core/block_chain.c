@@ -79,7 +79,7 @@ static int pair_compare(const void *a, const void *b)
     return p->low != q->low ? (p->low > q->low) - (p->low < q->low) : (p->high > q->high) - (p->high < q->high);
 }
 
-/* Sorted, without repetitions; returns how many are left. */
+/* Sorts the pairs and removes repetitions; returns how many are left. */
 static int pairs_unique(int count, BlockPair *pair)
 {
     if (count > 0) qsort(pair, (size_t)count, sizeof *pair, pair_compare);
@@ -90,7 +90,7 @@ static int pairs_unique(int count, BlockPair *pair)
     return kept;
 }
 
-/* Whether the pattern is exactly that of the sorted pairs: each stands there, and the number is right. */
+/* Checks whether the pattern is exactly that of the sorted pairs: each is in it, and the number is right. */
 static int pattern_is(const BlockExtras *x, int count, const BlockPair *pair)
 {
     if (x->count != 2 * count) return 0;
@@ -100,7 +100,7 @@ static int pattern_is(const BlockExtras *x, int count, const BlockPair *pair)
     return 1;
 }
 
-/* Everything but n of an empty set with room for `count` blocks. */
+/* Allocates everything but n of an empty set with room for `count` blocks. */
 static int room_new(BlockExtras *x, int n, int count)
 {
     memset(x, 0, sizeof *x);
@@ -118,7 +118,7 @@ static int room_new(BlockExtras *x, int n, int count)
     return 0;
 }
 
-/* Both places of every pair, row by row. Pairs come sorted by (low, high): written in this order the columns below the
+/* Fills in both places of every pair, row by row. Pairs are sorted by (low, high): in this order the columns below the
  * diagonal come first and rise, then those above. */
 static void pattern_fill(BlockExtras *x, int count, const BlockPair *pair)
 {
@@ -134,7 +134,7 @@ static void pattern_fill(BlockExtras *x, int count, const BlockPair *pair)
             x->col[at] = below ? pair[p].low : pair[p].high;
         }
     }
-    /* every start has moved to the next row's */
+    /* every start has moved to that of the next row */
     for (int i = x->n; i > 0; --i) x->start[i] = x->start[i - 1];
     x->start[0] = 0;
 }
@@ -204,7 +204,7 @@ void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *
     }
 }
 
-/* Whether rows and columns rise within the matrix, row by row as `start` says, and every pair stands twice. */
+/* Checks whether rows and columns rise within the matrix, row by row by `start`, and every pair is there twice. */
 static int pattern_fits(const BlockExtras *x)
 {
     if (x->start[0] != 0 || x->start[x->n] != x->count) return 0;
@@ -237,7 +237,7 @@ void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
     CHECKPOINT(c, x->version);
     checkpoint_longs(c, 1, &x->version);
     checkpoint_put(c, "x->start", x->start, ((size_t)x->n + 1) * sizeof *x->start);
-    if (count == 0) { /* whose rows nobody asks for */
+    if (count == 0) { /* without blocks the rows are not needed */
         if (c->reading && !c->status) memset(x->start, 0, ((size_t)x->n + 1) * sizeof *x->start);
         return;
     }

@@ -1,4 +1,4 @@
-/* A block tridiagonal matrix: one block row a segment, neighbours coupled. It holds stiffness, damping and the Newton
+/* A block tridiagonal matrix: one block row per segment, neighbours coupled. It holds stiffness, damping and the Newton
  * matrix. Blocks are b x b (6: force and moment; 3: planar), column-major, without padding. */
 #ifndef HAWSER_CORE_BLOCK_CHAIN_H
 #define HAWSER_CORE_BLOCK_CHAIN_H
@@ -26,24 +26,24 @@ static inline void block_column_add(double *block, int column, int row, Vec3 v)
     v3_put(at, v3_add(v3_get(at), v));
 }
 
-/* Adds [force; moment] to all of it. */
+/* Adds [force; moment] to a whole column. */
 static inline void block6_add(double *block, int column, Vec3 force, Vec3 moment)
 {
     block_column_add(block, column, 0, force);
     block_column_add(block, column, 3, moment);
 }
 
-/* The blocks of `from`, which has the same sizes. */
+/* Copies the blocks of `from`, which has the same sizes. */
 void block_chain_copy(BlockChain *to, const BlockChain *from);
-/* All blocks. */
+/* Saves or loads all blocks. */
 void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a);
-/* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
+/* Blocks of K and D outside the three diagonals: couplings of segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */
 typedef struct BlockExtras {
     int n;               /* block rows of the chain */
     long version;        /* grows whenever the pattern changes */
-    int count;           /* blocks: every pair stands twice, (i, j) and (j, i) */
-    int allocated;       /* blocks that the arrays below have room for */
+    int count;           /* number of blocks: every pair is there twice, (i, j) and (j, i) */
+    int allocated;       /* number of blocks allocated in the arrays below */
     int *start;          /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
     int *row;            /* [count] */
     int *col;            /* [count] */
@@ -56,20 +56,21 @@ typedef struct BlockPair {
     int low, high;
 } BlockPair;
 
-/* No blocks yet. 0 if there is no memory (nothing is left allocated). The free may be called on a zeroed struct. */
+/* Creates an empty set. 0 if there is no memory (nothing is left allocated). The free may be called on a zeroed
+ * struct. */
 int block_extras_alloc(BlockExtras *x, int n);
 void block_extras_free(BlockExtras *x);
-/* The pattern becomes that of pair[count], in any order, repetitions allowed; pair is sorted. Blocks that were there
+/* Sets the pattern to that of pair[count], in any order, repetitions allowed; pair gets sorted. Blocks that existed
  * before keep their values, new ones are zero. 0 if there is no memory (then nothing has changed). */
 int block_extras_set(BlockExtras *x, int count, BlockPair *pair);
 void block_extras_zero(BlockExtras *x);
-/* Pattern and values. */
+/* Saves or loads pattern and values. */
 void block_extras_checkpoint(Checkpoint *c, BlockExtras *x);
-/* The number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
+/* Number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
 int block_extras_find(const BlockExtras *x, int row, int col);
-/* The same of a block that is in the pattern, to add to: it lives from then on. */
+/* The same for a block that is in the pattern, to be added to: marks it as live. */
 int block_extras_touch(BlockExtras *x, int row, int col);
-/* y = y + s K z for vectors of 6n, of the blocks that live. */
+/* y = y + s K z for vectors of 6n, with the live blocks. */
 void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *y);
 
 #endif

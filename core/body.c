@@ -15,7 +15,7 @@ static Mat3 inertia_matrix(const Chain *chain, const Kinematics *kin, int i)
     return (Mat3){{x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z}};
 }
 
-/* The change of I a when the segment turns by phi: phi x (I a) - I (phi x a). */
+/* Change of I a when the segment rotates by phi: phi x (I a) - I (phi x a). */
 static Vec3 inertia_turned(const Mat3 *inertia, Vec3 phi, Vec3 a)
 {
     return v3_sub(v3_cross(phi, m3_mul(inertia, a)), m3_mul(inertia, v3_cross(phi, a)));

@@ -1,4 +1,4 @@
-/* The segments as rigid bodies: state to kinematics, loads to accelerations, and the inertia's own derivatives.
+/* The segments as rigid bodies: state to kinematics, loads to accelerations, and the derivatives of inertia.
  * docs/model.md, "Segments". */
 #ifndef HAWSER_CORE_BODY_H
 #define HAWSER_CORE_BODY_H
@@ -10,7 +10,7 @@
 #include "core/state.h"
 #include "core/vec3.h"
 
-/* Adds to the rotation parts of k and d what the turning of the inertia and the gyroscopic moment contribute to
+/* Adds to the rotation parts of k and d the contributions of the rotating inertia and of the gyroscopic moment to
  * d(moment - I w')/d(phi) and /d(w) (S4), for segments from..to-1; ydot holds w'. */
 void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, int from, int to, BlockChain *k,
                  BlockChain *d);
@@ -20,26 +20,26 @@ Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
-/* Of a step in time: the work of all forces along the way that the bodies went, less what they gained of motion; and
- * what they move with in the end, J. docs/model.md, "Balances" (BA11). */
+/* Loss of a step in time: the work of all forces along the path of the bodies, less their gain of kinetic energy; and
+ * their kinetic energy at the end, J. docs/model.md, "Balances" (BA11). */
 typedef struct MethodLoss {
     double lost, moving;
 } MethodLoss;
-enum { BODY_PAST = 19 }; /* numbers a segment that are kept of a step: p q v w (body axes), force, moment (body axes) */
+enum { BODY_PAST = 19 }; /* numbers kept of a step per segment: p q v w (body axes), force, moment (body axes) */
 
 /* The loops over segments (body_lanes.c), once for every instruction set: body_kernels()->rates(...). `from` is a
  * multiple of LANES. */
 typedef struct BodyKernels {
-    /* What a step took out of segments from..to-1 (BA11), and what they move with at its end; see MethodLoss. rates:
-     * of y, times 1 / scale. past [BODY_PAST * stride], stride: n filled up to whole lanes: what the step before left,
-     * becomes what this one leaves. */
+    /* Energy that a step took out of segments from..to-1 (BA11), and their kinetic energy at its end; see MethodLoss.
+     * rates: of y, times 1 / scale. past [BODY_PAST * stride], stride: n rounded up to whole lanes: data of the step
+     * before, of this one on return. */
     MethodLoss (*method_loss)(const Chain *chain, const double *y, const double *rates, double scale, int from, int to,
                               double *past);
     /* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. Entries up to
      * the next multiple of LANES after `to` are overwritten: set the head ghost afterwards. */
     void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);
     /* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the
-     * joints' loads, and the two sets of other loads on the segments. y is needed for its quaternions as they are (not
+     * joints' loads and the two sets of other loads on the segments. y is needed for its quaternions as they are (not
      * normalised). */
     void (*rates)(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                   const double *y, int from, int to, double *ydot);

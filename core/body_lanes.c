@@ -1,5 +1,5 @@
-/* The kernels of body.h for one instruction set. The last, incomplete lane goes through a padded copy of its columns of
- * the state, so that nothing is read or written beyond it. */
+/* The kernels of core/body.h for one instruction set. The last, incomplete lane goes through a padded copy of its
+ * columns of the state, so that nothing is read or written beyond it. */
 #include "core/body.h"
 #include "core/joint_lanes.h"
 #include "core/state.h"
@@ -48,7 +48,7 @@ static void kernel_kinematics(int n, const double *y, int from, int to, Kinemati
     kinematics_of(src, i, kin);
 }
 
-/* Rates of LANES segments from i; q: their quaternions as the state has them. dst as src above. */
+/* Rates of LANES segments from i; q: their quaternions as in the state. dst like src above. */
 LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                           int i, Lane qw, Lane3 qu, double *const dst[STATE_SIZE])
 {
@@ -96,7 +96,8 @@ static void kernel_rates(const Chain *chain, const Kinematics *kin, const JointL
 }
 
 /* (BA11) of LANES segments from i: sums to *lost and *moving. src and rate point at the first of LANES entries of each
- * array. Moments are taken in the body's axes, in which a turn from the pose before has the same components in both. */
+ * array. Moments are in the body's axes, in which the rotation from the pose before has the same components in both
+ * poses. */
 LANE_INLINE void method_loss_of(const Chain *chain, const double *const src[STATE_SIZE],
                                 const double *const rate[STATE_SIZE], double scale, int i,
                                 double *const past[BODY_PAST], Lane *lost, Lane *moving)
@@ -119,7 +120,7 @@ LANE_INLINE void method_loss_of(const Chain *chain, const double *const src[STAT
 
     const Lane3 p0 = l3_load(past, 0), u0 = l3_load(past + 4, 0), v0 = l3_load(past + 7, 0), w0 = l3_load(past + 10, 0);
     const Lane q0 = lane_load(past[3]);
-    const Lane3 way = l3_sub(p, p0); /* and the turn: twice the vector of conj(q0) q */
+    const Lane3 way = l3_sub(p, p0); /* and the rotation: twice the vector of conj(q0) q */
     const Lane3 turn = l3_scale(lane_set(2), l3_sub(l3_sub(l3_scale(q0, qu), l3_scale(qw, u0)), l3_cross(u0, qu)));
     const Lane work =
         l3_dot(l3_add(force, l3_load(past + 13, 0)), way) + l3_dot(l3_add(moment, l3_load(past + 16, 0)), turn);

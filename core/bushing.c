@@ -21,8 +21,8 @@ static void part_add(double *block, const JointMatrix *m, int lane, int r, int c
 enum { FORCE, TORQUE_A, TORQUE_B }; /* row parts of a JointMatrix */
 enum { SHIFT, TURN_A, TURN_B };     /* column parts */
 
-/* The four 6x6 blocks of one joint: A feels +force and torque_a, B feels -force and torque_b; a displacement of A
- * shifts B backwards relative to it. Ghost rows and columns are dropped. */
+/* The four 6x6 blocks of one joint: A gets +force and torque_a, B gets -force and torque_b; a displacement of A shifts
+ * B backwards relative to it. Ghost rows and columns are dropped. */
 static void joint_blocks_add(BlockChain *out, const JointMatrix *m, int lane, int joint)
 {
     const int a = joint - 1, b = joint;

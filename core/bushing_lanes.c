@@ -1,9 +1,9 @@
-/* The kernels of bushing.h for one instruction set. */
+/* The kernels of core/bushing.h for one instruction set. */
 #include "core/bushing.h"
 #include "core/joint_lanes.h"
 
-/* The kernels that are compiled: everything, for both frames; without sliders, and for the symmetric frame without what
- * most chains, or none, lack. More would be a matter of the program's size alone. */
+/* The kernels that are compiled: everything, for both frames; without sliders, and for the symmetric frame without
+ * parts that most chains, or all, lack. More kernels would only cost program size. */
 enum {
     FULL = JOINT_DAMPED | JOINT_PRELOADED,
     ADAMS_SLIDING = FULL | JOINT_SLIDING,
@@ -13,7 +13,7 @@ enum {
     SYMMETRIC_BARE = JOINT_SYMMETRIC
 };
 
-/* The leanest kernel that does for the chain. */
+/* Kernel with the least work that the chain needs. */
 static int traits_of(const Chain *chain)
 {
     const int sliding = chain->sliders.count > 0;
@@ -41,7 +41,7 @@ LANE_INLINE JointPower loads_of(const Chain *chain, const Kinematics *kin, int f
 
 static JointPower kernel_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out)
 {
-    switch (traits_of(chain)) { /* each case compiled apart */
+    switch (traits_of(chain)) { /* each case compiled separately */
     case SYMMETRIC_DAMPED:
         return loads_of(chain, kin, from, to, out, SYMMETRIC_DAMPED);
     case SYMMETRIC_BARE:
@@ -111,7 +111,7 @@ static void kernel_law(const Chain *chain, const Kinematics *kin, int from, int 
     }
 }
 
-/* Rotations alone are needed, of every joint's two segments. */
+/* Only rotations are needed, those of every joint's two segments. */
 static void kernel_slip(const Chain *chain, Kinematics *kin, int from, int to)
 {
     for (int jj = from; jj < to; jj += LANES) {
@@ -121,11 +121,11 @@ static void kernel_slip(const Chain *chain, Kinematics *kin, int from, int to)
     }
 }
 
-/* What a variation of the joint needs besides the joint itself. */
+/* Data of a variation of the joint besides the joint itself. */
 typedef struct JointSlopes {
     Lane t0, t1, h;       /* (d./dtheta)/theta of t0, t1, h (B10) */
     Lane3 kt, kr, ct, cr; /* stiffness and damping of the law */
-    SliderTangent slider; /* where it has sliders (HY7) */
+    SliderTangent slider; /* if it has sliders (HY7) */
 } JointSlopes;
 
 LANE_INLINE JointSlopes joint_slopes(const Joint *j, const Chain *chain, const Kinematics *kin, int jj, int traits)
@@ -156,7 +156,7 @@ LANE_INLINE Lane3 vary_t_times(const Joint *j, const JointSlopes *g, Lane3 dthet
     return l3_axpy(l3_axpy(stretch, on_theta, j->theta), j->t1 * tr, dtheta);
 }
 
-/* The moments that follow from a variation of the law's force and of what it is applied with (B13). */
+/* The moments that follow from a variation of the law's force and of its lever arms (B13). */
 LANE_INLINE JointVariation vary_wrench(const Joint *j, Lane3 force, Lane3 moment, Lane3 twist, Lane3 dd, int symmetric)
 {
     JointVariation v = {.force = force};
@@ -174,7 +174,7 @@ LANE_INLINE JointVariation vary_wrench(const Joint *j, Lane3 force, Lane3 moment
     return v;
 }
 
-/* A relative displacement `shift` of B against A: nothing turns (B11). */
+/* A relative displacement `shift` of B against A, without rotation (B11). */
 LANE_INLINE JointVariation vary_shift(const Joint *j, const JointSlopes *g, Lane3 shift, int traits)
 {
     Lane3 force;
@@ -221,7 +221,7 @@ LANE_INLINE Lane3 vary_omega(const Joint *j, const JointSlopes *g, const Turn *t
     return l3_axpy(d, j->h, l3_cross(j->theta, l3_cross(t->frame, j->rho)));
 }
 
-/* Change of the rate of d by a small rotation (B12); moved: of the lever arms, dd: of d. */
+/* Change of the rate of d by a small rotation (B12); moved: change of the lever arms, dd: of d. */
 LANE_INLINE Lane3 vary_d_rate(const Joint *j, const JointSlopes *g, const Turn *t, Lane3 moved_a, Lane3 moved_b,
                               Lane3 dd, int symmetric)
 {
@@ -265,7 +265,7 @@ LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3
         moment = dmu;
     }
     JointVariation v = vary_wrench(j, force, moment, twist, dd, symmetric);
-    /* the lever arms turn with their segments, and all components with the frame (B13) */
+    /* the lever arms rotate with their segments, and all components with the frame (B13) */
     v.torque_a = l3_add(v.torque_a, l3_cross(l3_cross(l3_sub(a, t.frame), j->la), j->force));
     v.torque_b = l3_add(v.torque_b, l3_cross(l3_cross(l3_sub(b, t.frame), j->lb), j->force));
     v.force = l3_add(v.force, l3_cross(t.frame, j->force));
@@ -274,7 +274,7 @@ LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3
     return v;
 }
 
-/* A change `dv` of the relative velocity and a, b of the angular velocities: only the damping answers (B14). */
+/* A change `dv` of the relative velocity and a, b of the angular velocities: only the damping changes (B14). */
 LANE_INLINE JointVariation vary_rates(const Joint *j, const JointSlopes *g, Lane3 dv, Lane3 a, Lane3 b, int symmetric)
 {
     const Turn t = turn_of(j, a, b, symmetric);
@@ -307,7 +307,7 @@ LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, J
     const Joint j = joint_at(chain, kin, jj, traits);
     const JointSlopes g = joint_slopes(&j, chain, kin, jj, traits);
     const Lane3 none = l3_zero();
-    const LaneFrame *f = &j.frame; /* the world's unit vectors, seen from F */
+    const LaneFrame *f = &j.frame; /* the world's unit vectors in components of F */
     const Lane3 unit[3] = {{f->x.x, f->y.x, f->z.x}, {f->x.y, f->y.y, f->z.y}, {f->x.z, f->y.z, f->z.z}};
     for (int c = 0; c < 3; ++c) {
         column_store(&j, vary_shift(&j, &g, unit[c], traits), k->entry[c]);
@@ -322,7 +322,7 @@ LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, J
 
 static void kernel_columns(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d)
 {
-    switch (traits_of(chain)) { /* a preload alone makes no difference worth a kernel */
+    switch (traits_of(chain)) { /* a preload alone makes no difference that justifies a kernel */
     case SYMMETRIC_BARE:
         columns_of(chain, kin, jj, k, d, SYMMETRIC_BARE);
         break;

@@ -9,7 +9,7 @@
 
 /* Entries before index 0, so that index 0 is aligned and index -1 exists. */
 enum { FRONT = LANES, ALIGNMENT = 64 };
-/* Arrays of a struct that are allocated in one go: from Chain.half to preload, from Kinematics.p to a. */
+/* Arrays of a struct that are allocated together: from Chain.half to preload, from Kinematics.p to a. */
 enum { CHAIN_ARRAYS = 24, KINEMATICS_ARRAYS = 16 };
 
 int chain_stride(int n) { return FRONT + (n + 1 + LANES - 1) / LANES * LANES + LANES; }
@@ -87,7 +87,7 @@ void chain_free(Chain *chain)
     chain->sliders.count = 0;
 }
 
-/* Whether six arrays over joints hold nothing but zeros. */
+/* Checks whether six arrays over joints are all zero. */
 static int all_zero(double *const array[6], int n)
 {
     for (int c = 0; c < 6; ++c) {

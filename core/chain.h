@@ -1,5 +1,5 @@
-/* The chain that is simulated: n rigid segments, tail first, and the n+1 bushings that join them to each other and its
- * ends to the ground (a free end has a bushing of no stiffness). Immutable while a run lasts.
+/* The simulated chain: n rigid segments, tail first, and the n+1 bushings that join them to each other and its ends to
+ * the ground (a free end has a bushing of no stiffness). Immutable during a run.
  *
  * Index convention, used everywhere: segment i is 0..n-1; joint j is 0..n and lies between segments j-1 and j. The
  * ground bodies at the two ends ("ghosts") are segments -1 and n: every array over segments is allocated so that these
@@ -10,22 +10,22 @@
 #include "core/checkpoint.h"
 #include "core/vec3.h"
 
-/* Which frame a bushing's components are taken in. docs/model.md, "Bushing". */
+/* Frame of a bushing's components. docs/model.md, "Bushing". */
 typedef enum BushingFrame {
     FRAME_SYMMETRIC, /* the mid-frame, from a potential: energy-consistent (default) */
     FRAME_ADAMS      /* the second marker's frame (marker J), as in the paper */
 } BushingFrame;
 
-/* What makes the bending law of a joint bend back along another line than it came: springs with a slider each, beside
- * the elastic bending springs, the same in both directions (HY4). docs/model.md, "Bending with hysteresis". */
+/* Hysteresis of a joint's bending law: springs with a slider each, beside the elastic bending springs, the same in both
+ * directions (HY4). docs/model.md, "Bending with hysteresis". */
 enum { SLIDERS_MAX = 14 };
 typedef struct Sliders {
-    int count;                      /* a joint, 0: none; joints that need fewer have springs of no stiffness */
+    int count;                      /* per joint, 0: none; joints that need fewer have springs of no stiffness */
     double *stiffness[SLIDERS_MAX]; /* [joint] N m/rad */
     double *limit[SLIDERS_MAX];     /* [joint] rad > 0: rotation of the spring at which its slider gives way */
 } Sliders;
 
-/* What no joint of a chain has, so that the kernels leave it out; bits. */
+/* Properties that no joint of a chain has, so that the kernels leave them out; bits. */
 enum { CHAIN_NO_DAMPING = 1, CHAIN_NO_PRELOAD = 2 };
 
 typedef struct Chain {
@@ -41,24 +41,24 @@ typedef struct Chain {
     double *stiffness[6]; /* N/m, N m/rad */
     double *damping[6];   /* N s/m, N m s/rad */
     double *preload[6];   /* N, N m: wrench at rest, positive in tension */
-    Sliders sliders;      /* what the bending law has besides stiffness[4..5] */
-    int lacks;            /* chain_find_lacks; 0: everything is computed, which is right for any chain */
+    Sliders sliders;      /* bending law beside stiffness[4..5] */
+    int lacks;            /* by chain_find_lacks; 0: everything is computed, which is right for any chain */
 } Chain;
 
-/* What the state says about every body, ghosts included, unpacked for the kernels; SI, world components.
- * Each array is indexed as in Chain (-1 .. n). */
+/* State of every body, ghosts included, unpacked for the kernels; SI, world components. Each array is indexed as in
+ * Chain (-1 .. n). */
 typedef struct Kinematics {
     double *p[3]; /* centre, m */
     double *q[4]; /* unit quaternion (w, x, y, z) */
     double *v[3]; /* velocity of the centre, m/s */
     double *w[3]; /* angular velocity, rad/s */
     double *a[3]; /* axis: R(q) e_x, unit */
-    /* [joint] how far slider k has slipped in bending y (2 k) and z (2 k + 1), rad: no part of y, but what the steps
-     * accepted so far have left (bushing_slip); NULL where the chain has no sliders */
+    /* [joint] slip of slider k in bending y (2 k) and z (2 k + 1), rad: not part of y, but the result of the steps
+     * accepted so far (bushing_slip); NULL if the chain has no sliders */
     double *slip[2 * SLIDERS_MAX];
 } Kinematics;
 
-/* Forces (N) at and moments (N m) about every segment's centre, world components, summed over what acts. */
+/* Sums of forces (N) at and moments (N m) about every segment's centre, world components. */
 typedef struct Loads {
     double *f[3];
     double *m[3];
@@ -71,46 +71,47 @@ typedef struct JointLoads {
     double *torque_a[3], *torque_b[3];
 } JointLoads;
 
-/* What the joints take out of the motion, W (BA4): their damping; the sliders' moments, what their springs store
- * included. */
+/* Power that the joints take out of the motion, W (BA4): by their damping; by the sliders' moments, including the
+ * energy stored in their springs. */
 typedef struct JointPower {
     double damping, sliding;
 } JointPower;
 
-/* What joints hold, J (BA7): their springs, preloads included; the springs of their sliders. */
+/* Energy stored in joints, J (BA7): in their springs, preloads included; in the springs of their sliders. */
 typedef struct JointEnergy {
     double elastic, sliding;
 } JointEnergy;
 
-/* One array over segments or joints of a chain of n, every entry `fill`, valid from -1 and padded as said above.
- * NULL if there is no memory. */
+/* One array over segments or joints of a chain of n, every entry `fill`, valid from -1 and padded as above. NULL if
+ * there is no memory. */
 double *chain_array_new(int n, double fill);
 double *chain_array_free(double *array);
-/* `count` of them into array[]; 0 if one could not be had (the others stay for the free). */
+/* Allocates `count` of them into array[]; 0 if one allocation failed (the others stay for the free). */
 int chain_arrays_new(double **array, int count, int n, double fill);
 void chain_arrays_free(double **array, int count);
-/* All arrays of a struct of nothing else, like Loads, zeros; 0 if there is no memory (and nothing is left allocated).
- * The free may be called on a zeroed struct. */
+/* Allocates all arrays, zeroed, of a struct that has only arrays, like Loads; 0 if there is no memory (and nothing is
+ * left allocated). The free may be called on a zeroed struct. */
 int chain_struct_new(double **array, int count, int n);
 #define chain_struct_alloc(s, n) chain_struct_new((double **)(s), (int)(sizeof *(s) / sizeof(double *)), n)
 #define chain_struct_free(s)     chain_arrays_free((double **)(s), (int)(sizeof *(s) / sizeof(double *)))
-/* Every entry of a chain array becomes `fill`. */
+/* Sets every entry of a chain array to `fill`. */
 void chain_array_fill(double *array, int n, double fill);
-/* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one, and readable a
- * vector beyond their end; free() frees it. */
+/* A zeroed array that starts at a cache line, so that no vector of a loop over all of it crosses one, and that is
+ * readable a vector beyond its end; free() frees it. */
 double *aligned_array_new(int count);
-/* Entries -1 .. n of chain arrays array[count]; of all arrays of a struct of nothing else. */
+/* Saves or loads entries -1 .. n of chain arrays array[count]; the second all arrays of a struct that has only
+ * arrays. */
 void chain_arrays_checkpoint(Checkpoint *c, const char *name, double *const *array, int count, int n);
 #define chain_struct_checkpoint(c, name, s, n)                                                                         \
     chain_arrays_checkpoint(c, name, (double *const *)(s), (int)(sizeof *(s) / sizeof(double *)), n)
-/* The length of a chain array's allocation. */
+/* Length of a chain array's allocation. */
 int chain_stride(int n);
 
 /* Allocate everything a chain of n segments needs: zeros, but masses and inertias 1, quaternions the identity and axes
  * e_x. Return 0 if there is no memory (and leave nothing allocated). The frees may be called on zeroed structs. */
 int chain_alloc(Chain *chain, int n);
 void chain_free(Chain *chain);
-/* Sets chain->lacks from the joints' damping and preloads; whoever changes these afterwards calls it again. */
+/* Sets chain->lacks from the joints' damping and preloads; must be called again after these have changed. */
 void chain_find_lacks(Chain *chain);
 /* Adds `count` <= SLIDERS_MAX sliders of no stiffness to every joint. Returns 0 if there is no memory. */
 int chain_alloc_sliders(Chain *chain, int count);
@@ -119,7 +120,7 @@ int kinematics_alloc(Kinematics *kin, int n);
 int kinematics_alloc_slips(Kinematics *kin, const Chain *chain);
 void kinematics_free(Kinematics *kin);
 void loads_zero(Loads *loads, int n);
-/* One more force (N) at and moment (N m) about the centre of segment i. */
+/* Adds a force (N) at and a moment (N m) about the centre of segment i. */
 static inline void loads_add(Loads *loads, int i, Vec3 force, Vec3 moment)
 {
     v3_gather(loads->f, i, force);

@@ -1,4 +1,4 @@
-/* Each piece stands behind a head of two words, a hash of its name and its length, and is filled up to a whole word. */
+/* Each piece follows a head of two words, a hash of its name and its length, and is padded to a whole word. */
 #define _DEFAULT_SOURCE /* madvise */
 #include "core/checkpoint.h"
 
@@ -25,7 +25,7 @@ void *checkpoint_memory(size_t size)
     if (size < LARGE_PAGE) return malloc(size + 1);
     const size_t whole = (size + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
     void *const memory = aligned_alloc(LARGE_PAGE, whole);
-    if (memory) madvise(memory, whole, MADV_HUGEPAGE); /* it is as good without */
+    if (memory) madvise(memory, whole, MADV_HUGEPAGE); /* it works without, too */
     return memory;
 }
 
@@ -61,7 +61,7 @@ int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault)
     return checkpoint_check(c, n >= 0 && (!c->reading || (size_t)n <= (c->size - c->at) / each), fault);
 }
 
-static const char IMPOSSIBLE[] = "a number of what has happened so far is impossible";
+static const char IMPOSSIBLE[] = "a count of past events is impossible";
 
 void checkpoint_counts(Checkpoint *c, int n, const int count[])
 {
@@ -104,7 +104,7 @@ static void piece_write(Checkpoint *c, const char *name, const void *from, size_
     memset(to + size, 0, fill);
 }
 
-/* The bytes of the next piece, which has to have this name; *size gets how many. NULL: it is not there. */
+/* Returns the bytes of the next piece, which must have this name; *size gets their number. NULL: it is not there. */
 static const void *piece_next(Checkpoint *c, const char *name, size_t *size)
 {
     PieceHead head = {0};
@@ -155,7 +155,7 @@ void checkpoint_list(Checkpoint *c, const char *name, void **array, int *count, 
     }
     size_t size = 0;
     const void *const from = piece_next(c, name, &size);
-    if (!from || !checkpoint_check(c, size % each == 0 && size / each < INT32_MAX, "a list is not whole")) return;
+    if (!from || !checkpoint_check(c, size % each == 0 && size / each < INT32_MAX, "a list is incomplete")) return;
     const int n = (int)(size / each);
     if (n > *room) {
         void *const grown = realloc(*array, size);
@@ -200,14 +200,15 @@ void checkpoint_end(Checkpoint *c) { checkpoint_check(c, !c->reading || c->at ==
 
 /* --------------------------------------------------------------------------------------------------------- hash */
 
-/* One word into a sum: a multiplication by an odd number loses nothing, and the shift lets high bits reach low ones. */
+/* Adds one word to a sum: a multiplication by an odd number loses nothing, and the shift lets high bits affect low
+ * ones. */
 static uint64_t word_in(uint64_t sum, uint64_t word)
 {
     const uint64_t mixed = (sum ^ word) * UINT64_C(0x9e3779b97f4a7c15);
     return mixed ^ mixed >> 32;
 }
 
-/* Four sums side by side, which do not wait for each other. */
+/* Four independent sums, so that none waits for another. */
 uint64_t checkpoint_hash(const void *bytes, size_t size)
 {
     enum { SUMS = 4 };

@@ -28,7 +28,7 @@ int text_make_printable(char *text)
     return made;
 }
 
-/* How many bytes the letter of UTF-8 at `text` has; 0: it is none (RFC 3629). */
+/* Number of bytes of the UTF-8 character at `text`; 0: it is not one (RFC 3629). */
 static int letter_bytes(const char *text)
 {
     const unsigned char *const c = (const unsigned char *)text;
@@ -36,8 +36,12 @@ static int letter_bytes(const char *text)
     const int more = c[0] >= 0xC2 && c[0] < 0xE0 ? 1 : (c[0] & 0xF0) == 0xE0 ? 2 : c[0] >= 0xF0 && c[0] < 0xF5 ? 3 : 0;
     for (int k = 1; k <= more; ++k)
         if ((c[k] & 0xC0) != 0x80) return 0;
-    if ((c[0] == 0xE0 && c[1] < 0xA0) || (c[0] == 0xED && c[1] > 0x9F)) return 0; /* too long; half a pair */
-    if ((c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] > 0x8F)) return 0; /* too long; beyond the last */
+    if ((c[0] == 0xE0 && c[1] < 0xA0) || (c[0] == 0xED && c[1] > 0x9F))
+        return 0; /* overlong; half of a surrogate
+                   * pair */
+    if ((c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] > 0x8F))
+        return 0; /* overlong; beyond the last code
+                   * point */
     return more > 0 ? more + 1 : 0;
 }
 
@@ -50,7 +54,7 @@ void text_make_utf8(char *text)
     }
 }
 
-/* The key that a message names first: "key 'drive.winch'" is how all of them do. */
+/* Stores the first key that a message names as "key 'drive.winch'", the form of all messages. */
 static void key_take(hawser_error *err)
 {
     static const char before[] = "key '";
@@ -96,10 +100,10 @@ hawser_status(error_argument)(hawser_error *err, const char *argument)
 
 int memory_room(size_t bytes)
 {
-#ifdef __SANITIZE_ADDRESS__ /* marks every byte of the block twice, which was half the time of tests that read HDF5 */
+#ifdef __SANITIZE_ADDRESS__ /* marks every byte of it twice, which took half the time of tests that read HDF5 */
     if (bytes < (size_t)1 << 30) return 1;
 #endif
-    void *volatile block = malloc(bytes); /* volatile: or the compiler leaves both calls out */
+    void *volatile block = malloc(bytes); /* volatile: otherwise the compiler removes both calls */
     const int found = block != NULL;
     free(block);
     return found;

@@ -75,7 +75,7 @@ hawser_status file_unread(const char *path, const char *why, hawser_error *err)
     return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, why);
 }
 
-/* What is open as fd, if it is a regular file; else it is closed. */
+/* Returns fd if it is a regular file; otherwise closes it. */
 static int regular(int fd, int writes)
 {
     struct stat info;
@@ -91,7 +91,7 @@ static int regular(int fd, int writes)
     return -1;
 }
 
-/* A FIFO without a reader is ENXIO to who writes, a folder EISDIR: they are no files all the same. */
+/* Opening a FIFO without a reader for writing gives ENXIO, a folder EISDIR: neither is a regular file. */
 int file_open_in(int at, const char *name, int flags)
 {
     assert(at >= 0 && !strchr(name, '/'));
@@ -174,7 +174,7 @@ void folder_remove_in(int at, const char *name)
     unlinkat(at, name, AT_REMOVEDIR);
 }
 
-/* What is open as fd; one that has become shorter meanwhile is as long as it is. */
+/* Reads all of the open file fd; if it has become shorter meanwhile, its present length counts. */
 static hawser_status descriptor_whole(int fd, const char *path, size_t most, char **bytes, size_t *size,
                                       hawser_error *err)
 {
@@ -207,7 +207,7 @@ hawser_status file_whole_in(int at, const char *name, const char *path, size_t m
     return status;
 }
 
-/* The one that a path leads to; NULL: none of them. */
+/* The file to which a path leads; NULL: none of them. */
 static const FileMark *mark_find(const FileMarks *files, const struct stat *is)
 {
     for (int k = 0; k < files->n; k++)
@@ -252,7 +252,7 @@ hawser_status file_marks_spare(const FileMarks *files, const char *path, hawser_
     struct stat is;
     const FileMark *const mark = files->n > 0 && !stat(path, &is) ? mark_find(files, &is) : NULL;
     if (mark)
-        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is read", path,
+        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is an input", path,
                          mark->name);
     return HAWSER_OK;
 }

@@ -6,13 +6,13 @@
 #include "core/chain.h"
 #include "core/lanes.h"
 
-/* One slider of LANES joints: the rotation of its spring as if it had not slipped since the last accepted step, and
- * what the slider lets it keep. */
+/* One slider of LANES joints: the rotation of its spring without further slip since the last accepted step, and the
+ * share of it that the slider allows. */
 typedef struct Slider {
     Lane k, limit;
     Lane y, z;  /* theta - slip, rad (HY5) */
     Lane size2; /* its square */
-    Lane keeps; /* share that the spring keeps: 1 while it holds, limit / size where it slips (HY5) */
+    Lane keeps; /* share that the spring keeps: 1 while the slider holds, limit / size where it slips (HY5) */
     LaneMask slips;
 } Slider;
 
@@ -40,7 +40,7 @@ LANE_INLINE void sliders_moment(const Chain *chain, const Kinematics *kin, int j
     }
 }
 
-/* What their springs hold, J (BA7). */
+/* Energy stored in their springs, J (BA7). */
 LANE_INLINE Lane sliders_energy(const Chain *chain, const Kinematics *kin, int jj, Lane3 theta)
 {
     Lane sum = lane_set(0);
@@ -51,7 +51,7 @@ LANE_INLINE Lane sliders_energy(const Chain *chain, const Kinematics *kin, int j
     return sum;
 }
 
-/* A symmetric 2 x 2 matrix a joint: the derivative of the sliders' moments by the bending rotations. */
+/* A symmetric 2 x 2 matrix per joint: the derivative of the sliders' moments by the bending rotations. */
 typedef struct SliderTangent {
     Lane yy, yz, zz;
 } SliderTangent;
@@ -76,7 +76,7 @@ LANE_INLINE Lane3 slider_tangent_times(const SliderTangent *t, Lane3 a)
     return (Lane3){lane_set(0), t->yy * a.y + t->yz * a.z, t->yz * a.y + t->zz * a.z};
 }
 
-/* The slips move on to where the springs are at their limits: the return mapping (HY8). */
+/* Moves the slips so that the springs are at their limits: the return mapping (HY8). */
 LANE_INLINE void sliders_slip(const Chain *chain, Kinematics *kin, int jj, Lane3 theta)
 {
     for (int s = 0; s < chain->sliders.count; ++s) {
@@ -114,7 +114,7 @@ typedef struct Joint {
     Lane3 torque_a, torque_b; /* moments about the centres of A and B (B9) */
 } Joint;
 
-/* What a kernel is compiled for, bits of `traits`: what is not there costs nothing. */
+/* Features for which a kernel is compiled, bits of `traits`: absent ones cost nothing. */
 enum {
     JOINT_SYMMETRIC = 1, /* the mid-frame (B3); otherwise marker J's */
     JOINT_DAMPED = 2,    /* damping and the rates that it needs */
@@ -214,7 +214,7 @@ LANE_INLINE void joint_rotation(Joint *j, const Kinematics *kin, int ja, int jb,
     const Lane3 au = l3_load(kin->q + 1, ja), bu = l3_load(kin->q + 1, jb);
     Lane s = aw * bw + l3_dot(au, bu);
     Lane3 v = l3_sub(l3_axpy(l3_scale(aw, bu), -bw, au), l3_cross(au, bu));
-    const LaneMask flip = s < lane_set(0); /* q and -q are one rotation: take the short way */
+    const LaneMask flip = s < lane_set(0); /* q and -q are the same rotation: takes the shorter one */
     s = lane_select(flip, -s, s);
     v = (Lane3){lane_select(flip, -v.x, v.x), lane_select(flip, -v.y, v.y), lane_select(flip, -v.z, v.z)};
 
@@ -237,7 +237,7 @@ LANE_INLINE void joint_rotation(Joint *j, const Kinematics *kin, int ja, int jb,
     }
 }
 
-/* Gap (B1); where there is damping, rates and the frame's angular velocity (B6), (B7). */
+/* Gap (B1); with damping, rates and the frame's angular velocity (B6), (B7). */
 LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin, int ja, int jb, int traits)
 {
     const int symmetric = traits & JOINT_SYMMETRIC, damped = traits & JOINT_DAMPED;
@@ -293,15 +293,15 @@ LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, const Kinematics *ki
     }
 }
 
-/* What the damping takes (BA4): a quadratic form in the rates, which the wrench gives up exactly (B9). */
+/* Power of the damping (BA4): a quadratic form in the rates, exactly that of the wrench (B9). */
 LANE_INLINE Lane joint_damping(const Joint *j, const Chain *chain, int jj)
 {
     const Lane3 ct = l3_load(chain->damping, jj), cr = l3_load(chain->damping + 3, jj);
-    /* squares first: a product shared with the law would not be fused with its sum any more, and round otherwise */
+    /* squares first: a product shared with the law would no longer be fused with its sum, and round differently */
     return l3_dot(ct, l3_times(j->d_rate, j->d_rate)) + l3_dot(cr, l3_times(j->theta_rate, j->theta_rate));
 }
 
-/* What the sliders' moments take, their springs' storage included (BA4). */
+/* Power of the sliders' moments, including the energy stored in their springs (BA4). */
 LANE_INLINE Lane joint_sliding(const Joint *j, const Chain *chain, const Kinematics *kin, int jj)
 {
     Lane3 moment = l3_zero();
@@ -309,7 +309,7 @@ LANE_INLINE Lane joint_sliding(const Joint *j, const Chain *chain, const Kinemat
     return l3_dot(moment, j->theta_rate);
 }
 
-/* Everything about joints jj .. jj + LANES - 1. */
+/* Computes everything about joints jj .. jj + LANES - 1. */
 LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, int traits)
 {
     const int symmetric = traits & JOINT_SYMMETRIC;

@@ -1,5 +1,5 @@
 /* Vectors of LANES doubles: the type in which the kernels over segments are written, once, for every instruction set.
- * The compiler splits a lane into what the machine has (one 512-bit, two 256-bit or four 128-bit registers). */
+ * The compiler splits a lane into the machine's registers (one of 512 bits, two of 256 or four of 128). */
 #ifndef HAWSER_CORE_LANES_H
 #define HAWSER_CORE_LANES_H
 
@@ -15,7 +15,7 @@ typedef double Lane __attribute__((vector_size(LANES * sizeof(double))));
 
 typedef int64_t LaneMask __attribute__((vector_size(LANES * sizeof(double))));
 
-/* Three-vectors of lanes, and symmetric use of one letter a component. */
+/* Three-vectors of lanes. */
 typedef struct Lane3 {
     Lane x, y, z;
 } Lane3;
@@ -45,10 +45,10 @@ LANE_INLINE Lane3 l3_select(LaneMask mask, Lane3 a, Lane3 b)
 
 LANE_INLINE Lane lane_index(void) { return (Lane){0, 1, 2, 3, 4, 5, 6, 7}; }
 
-/* In a fixed order. */
+/* Sum in a fixed order. */
 LANE_INLINE double lane_sum(Lane a) { return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7])); }
 
-/* One bit a lane, lane 0 the lowest: 1 where the mask is set. */
+/* One bit per lane, lane 0 the lowest: 1 where the mask is set. */
 LANE_INLINE unsigned lane_bits(LaneMask mask)
 {
     typedef int64_t Four __attribute__((vector_size(4 * sizeof(int64_t))));
@@ -97,7 +97,7 @@ LANE_INLINE Lane3 l3_cross(Lane3 a, Lane3 b)
     return (Lane3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* Functions of lanes: what the vector types of core/lanes.h do not have as operators. */
+/* Functions of lanes that the vector types of core/lanes.h do not have as operators. */
 
 LANE_INLINE Lane lane_sqrt(Lane x)
 {

@@ -6,7 +6,7 @@
 
 static const char *const NAMES[] = {"generic", "avx2", "avx512"};
 
-/* Chosen before main() or by the loader, and never again. */
+/* Chosen before main() or by the loader, and never changed. */
 static Isa chosen;
 
 static const char *complaint;

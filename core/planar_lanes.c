@@ -1,4 +1,4 @@
-/* The kernels of planar.h for one instruction set. Letters as in docs/model.md, "Planar chain". */
+/* The kernels of core/planar.h for one instruction set. Letters as in docs/model.md, "Planar chain". */
 #include "core/planar.h"
 #include "core/plane_lanes.h"
 
@@ -25,12 +25,12 @@ typedef struct PlanarJoint {
     Lane share;     /* s (PL4) */
     Lane2 frame;    /* first axis of F */
     Lane2 ra, rb;   /* half-length vectors along the axes of A and B */
-    Lane2 d, e;     /* gap and its rate seen from F, along the plane's axes (PL5) */
+    Lane2 d, e;     /* gap and its rate relative to F, along the plane's axes (PL5) */
     Lane wa, wb, w; /* angular velocities of A, B and F */
     Lane2 law;      /* axial force and shear force (PL6) */
     Lane2 force;    /* the same along the plane's axes */
     Lane bending;   /* moment of the law */
-    Lane damping;   /* W, what the damping takes (BA4) */
+    Lane damping;   /* W, power of the damping (BA4) */
     Lane c;         /* d x force */
 } PlanarJoint;
 
@@ -51,7 +51,8 @@ LANE_INLINE PlanarJoint joint_motion(const PlanarChain *chain, const PlanarKinem
     j.w = j.wa + j.share * (j.wb - j.wa);
     const Lane2 apart = l2_sub(l2_load(kin->p, b), l2_load(kin->p, a));
     const Lane2 drift = l2_sub(l2_load(kin->v, b), l2_load(kin->v, a));
-    const Lane2 ends = l2_axpy(l2_scale(j.wa, j.ra), j.wb, j.rb); /* J of it is what the turning of the ends adds */
+    const Lane2 ends = l2_axpy(l2_scale(j.wa, j.ra), j.wb, j.rb); /* J times this is the contribution of the rotation of
+                                                                   * the ends */
     j.d = l2_sub(apart, l2_add(j.ra, j.rb));
     j.e = l2_sub(drift, l2_turn(l2_axpy(ends, j.w, j.d)));
     return j;
@@ -69,7 +70,7 @@ LANE_INLINE PlanarJoint joint_at(const PlanarChain *chain, const PlanarKinematic
     const Lane theta = lane_load(kin->angle + jj) - lane_load(kin->angle + jj - 1);
     j.bending = lane_load(chain->stiffness[2] + jj) * theta + lane_load(chain->damping[2] + jj) * (j.wb - j.wa) +
                 lane_load(chain->preload[2] + jj);
-    /* squares first: a product shared with the law would not be fused with its sum any more, and round otherwise */
+    /* squares first: a product shared with the law would no longer be fused with its sum, and round differently */
     j.damping = l2_dot((Lane2){e.x * e.x, e.z * e.z}, l2_load(chain->damping, jj)) +
                 (j.wb - j.wa) * (j.wb - j.wa) * lane_load(chain->damping[2] + jj);
     j.c = l2_cross(j.d, j.force);
@@ -107,7 +108,8 @@ static int kernel_rates(const PlanarChain *chain, const PlanarKinematics *kin, c
         const Lane moment = (lane_load(joints->torque_a + i + 1) + lane_load(joints->torque_b + i)) +
                             (lane_load(loads[0].m + i) + lane_load(loads[1].m + i));
         const Lane inverse_mass = lane_load(chain->inverse_mass + i);
-        /* what pads the state does not move: nothing is behind the chain, whatever the ghost in that place does */
+        /* the padding of the state does not move: there is nothing behind the chain, whatever the ghost in that place
+         * does */
         const LaneMask inside = inverse_mass > lane_set(0);
         const Lane zero = lane_set(0);
         const Lane rate[PLANAR_SIZE] = {lane_select(inside, lane_load(kin->v[0] + i), zero),
@@ -141,7 +143,7 @@ LANE_INLINE Lane2 law_times(Lane2 frame, Lane2 k, Lane2 v)
     return l2_out(frame, (Lane2){k.x * in.x, k.z * in.z});
 }
 
-/* What follows from the variations of force, gap and bending moment, lever arms fixed (PL9). */
+/* Variation that follows from those of force, gap and bending moment, with fixed lever arms (PL9). */
 LANE_INLINE PlanarVariation vary_wrench(const PlanarJoint *j, Lane2 force, Lane2 gap, Lane bending)
 {
     const Lane c = l2_cross(gap, j->force) + l2_cross(j->d, force), c_b = j->share * c;
@@ -163,20 +165,20 @@ LANE_INLINE PlanarVariation vary_shift(const PlanarJoint *j, const PlanarLaw *la
     return vary_wrench(j, force, shift, lane_set(0));
 }
 
-/* A turn of A alone (after = 0) or of B alone (after = 1) by a unit angle (PL9). */
+/* A rotation of A alone (after = 0) or of B alone (after = 1) by a unit angle (PL9). */
 LANE_INLINE PlanarVariation vary_turn(const PlanarJoint *j, const PlanarLaw *law, int after)
 {
     const Lane turn = after ? j->share : 1 - j->share; /* of F */
     const Lane2 arm = after ? j->rb : j->ra;
     const Lane spin = after ? j->wb : j->wa;
     const Lane2 gap = l2_neg(l2_turn(arm));
-    /* seen from F, which turns too */
+    /* relative to F, which rotates too */
     const Lane2 shift = l2_axpy(gap, -turn, l2_turn(j->d));
     const Lane2 rate = l2_axpy(l2_axpy(l2_scale(spin, arm), -j->w, l2_turn(gap)), -turn, l2_turn(j->e));
     Lane2 force = l2_add(law_times(j->frame, law->k, shift), law_times(j->frame, law->c, rate));
     force = l2_axpy(force, turn, l2_turn(j->force));
     PlanarVariation v = vary_wrench(j, force, gap, after ? law->k_bend : -law->k_bend);
-    /* the lever arm turns with its segment */
+    /* the lever arm rotates with its segment */
     const Lane moved = -l2_dot(arm, j->force);
     if (after) {
         v.torque_b += moved;
@@ -210,7 +212,7 @@ LANE_INLINE void column_store(double *const block[9], int column, int i, Lane2 f
     lane_store(block[3 * column + 2] + i, moment);
 }
 
-/* A moves by -shift, B by +shift; B feels minus the force. */
+/* A moves by -shift, B by +shift; B gets minus the force. */
 LANE_INLINE void shift_store(PlanarBlocks *out, int jj, int column, PlanarVariation v)
 {
     const Lane2 back = l2_neg(v.force);
@@ -228,7 +230,7 @@ LANE_INLINE void turn_store(PlanarBlocks *out, int jj, PlanarVariation of_a, Pla
     column_store(out->diag, 2, jj, l2_neg(of_b.force), of_b.torque_b);
 }
 
-/* Apart from the joints' loop: there the sums would have to wait for what was just stored. */
+/* Separate from the joints' loop, where the sums would have to wait for what was just stored. */
 static void kernel_blocks_join(PlanarBlocks *blocks, int from, int to)
 {
     for (int i = from; i < to; i += LANES) {

@@ -30,7 +30,7 @@ LANE_INLINE Lane2 l2_out(Lane2 f, Lane2 v) { return (Lane2){f.x * v.x - f.z * v.
 LANE_INLINE Lane2 l2_in(Lane2 f, Lane2 v) { return (Lane2){f.x * v.x + f.z * v.z, f.x * v.z - f.z * v.x}; }
 
 /* (cos x, sin x) for |x| below about 1e6: x less the nearest multiple of pi/2, then the Taylor series, which at pi/4
- * are exact to rounding with nine terms; the multiple says which of the two is which, and their signs. */
+ * are exact to rounding with nine terms; the multiple determines which of the two is which, and their signs. */
 LANE_INLINE Lane2 lane_direction(Lane x)
 {
     static const double odd[] = {1,

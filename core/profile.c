@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* D of (P1) and (P2): the share of the ramp that is done, 0..1. */
+/* D of (P1) and (P2): the completed share of the ramp, 0..1. */
 static double ramp_share(double x, double x0, double x1)
 {
     if (x <= x0) return 0;
@@ -84,8 +84,7 @@ static double table_value(const Profile *p, double t)
     return p->value[i] + table_slope(p, i) * (t - p->time[i]);
 }
 
-/* Integral of the table from its first point to t, negative before it: trapezia, exact for straight pieces.
- */
+/* Integral of the table from its first point to t, negative before it: trapezia, exact for straight pieces. */
 static double table_area(const Profile *p, double t)
 {
     const int last = table_interval(p, t);
@@ -130,7 +129,7 @@ double profile_largest(const Profile *p)
     return most;
 }
 
-/* The first point of a table that no longer rises after it. */
+/* First point of a table after which it no longer rises. */
 static int table_top(const Profile *p)
 {
     int i = 0, top = 0;

@@ -6,10 +6,10 @@
 
 typedef enum ProfileKind { PROFILE_CONSTANT, PROFILE_STEP, PROFILE_STEP5, PROFILE_TABLE } ProfileKind;
 
-/* A value as a function of time.
- * CONSTANT: v1 always. STEP, STEP5: v0 up to t0, v1 from t1 on, the cubic or quintic between (references: ADAMS STEP).
- * TABLE: n points (time[i], value[i]), times rising strictly, linear between, constant beyond the ends. The profile of
- * a definition owns its table (one piece of memory, by `time`); a profile that is assigned from it borrows that. */
+/* A value as a function of time. CONSTANT: v1 always. STEP, STEP5: v0 up to t0, v1 from t1 on, the cubic or quintic in
+ * between (references: ADAMS STEP). TABLE: n points (time[i], value[i]), times rising strictly, linear in between,
+ * constant beyond the ends. The profile of a definition owns its table (one piece of memory, by `time`); a profile that
+ * is assigned from it borrows it. */
 typedef struct Profile {
     ProfileKind kind;
     double t0, v0; /* s, unit of the value */
@@ -32,28 +32,28 @@ int profile_own(Profile *p);
 void profile_free(Profile *p);
 
 double profile_value(const Profile *p, double t);
-/* The largest value at any time, and the smallest once it has risen from where it begins. */
+/* The largest value at any time; the second: the smallest after the rise from its first value. */
 double profile_largest(const Profile *p);
 double profile_least_risen(const Profile *p);
 /* The smallest value from one time to another, both included; from <= to. */
 double profile_least_between(const Profile *p, double from, double to);
-/* s, when it has risen from where it begins; -INFINITY: it never does. */
+/* s, time at which it has risen from its first value; -INFINITY: it never does. */
 double profile_risen_at(const Profile *p);
-/* The largest size of the value that is said for times up to `until`. */
+/* The largest size of the given values for times up to `until`. */
 double profile_largest_until(const Profile *p, double until);
 /* d(value)/dt; at a table's corner, the slope to the right. */
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */
 double profile_integral(const Profile *p, double t);
-/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if none.
- */
+/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if
+ * none. */
 int profile_next_corner(const Profile *p, double t, double *corner);
 /* The first corner after t, or `next` if that comes first, s. */
 double profile_corner_before(const Profile *p, double t, double next);
 
-/* Whether what was read can be one: a kind that there is, and a step that takes time. */
+/* Checks whether loaded data can be a profile: an existing kind, and a step with a duration. */
 int profile_is_one(const Profile *p);
-/* A profile that changes in a run; if it is a table, its arrays are those of `table`. */
+/* Saves or loads a profile that changes in a run; if it is a table, its arrays are those of `table`. */
 void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-/* ---------------------------------------------------------------------------------------------- the laws in u */
+/* ---------------------------------------------------------------------------------------------- functions of u */
 
 /* sin(x)/x. */
 static double sinc(double x) { return fabs(x) > 1e-8 ? sin(x) / x : 1; }
@@ -19,7 +19,7 @@ static Vec3 cubic_slope(const RouteCurve *c, double u)
     return v3_axpy(v3_axpy(c->cubic[0], 2 * u, c->cubic[1]), 3 * u * u, c->cubic[2]);
 }
 
-/* Arc length per parameter: (RO6), (RO9). Of grades and arcs it is known without. */
+/* Arc length per parameter: (RO6), (RO9). For grades and arcs it is known in closed form. */
 static double speed_at(const RoutePiece *p, double u)
 {
     if (p->kind == ROUTE_CUBIC) return v3_norm(cubic_slope(&p->curve, u));
@@ -27,7 +27,7 @@ static double speed_at(const RoutePiece *p, double u)
     return sqrt(1 + grade * grade);
 }
 
-/* Whether x is an integral over u. */
+/* Checks whether x is an integral over u. */
 static int is_timed(const RoutePiece *p) { return p->kind == ROUTE_CUBIC || p->curve.profile == PROFILE_PARABOLA; }
 
 /* ------------------------------------------------------------------------------------------------- quadrature */
@@ -56,7 +56,7 @@ static double integrate_length(const RoutePiece *p, double u0, double u)
     return sum;
 }
 
-/* What has been gone through since then (RO4), (RO6). */
+/* Integrals since that knot (RO4), (RO6). */
 static RouteKnot integrate(const RoutePiece *p, double u0, double u)
 {
     const double half = (u - u0) / 2;
@@ -74,10 +74,9 @@ static RouteKnot knot_after(const RouteKnot *from, RouteKnot way)
     return (RouteKnot){way.u, from->x + way.x, from->along + way.along, from->aside + way.aside};
 }
 
-/* ------------------------------------------------------------------------------------------------ place by arc length
- */
+/* ---------------------------------------------------------------------------------------------- place by arc length */
 
-/* The knot before arc length x: guessed by even steps, then walked to. */
+/* The knot before arc length x: guessed by even steps, then corrected step by step. */
 static const RouteKnot *knot_before(const RouteKnot *knot, int n, double x)
 {
     int i = (int)(n * x / knot[n].x);
@@ -87,9 +86,8 @@ static const RouteKnot *knot_before(const RouteKnot *knot, int n, double x)
     return &knot[i];
 }
 
-/* u where the arc length is x, from a knot before it: Newton's method, which converges at once, since the speed hardly
- * changes between two knots (RO7). It is begun with the speed half way there, and ended where the square of a step is
- * rounding. */
+/* u at arc length x, from a knot before it: Newton's method, which converges at once, since the speed hardly changes
+ * between two knots (RO7). It starts with the speed half way there, and ends when the square of a step is rounding. */
 static double parameter_at(const RoutePiece *p, const RouteKnot *knot, double x)
 {
     const double way = x - knot->x, first = speed_at(p, knot->u);
@@ -112,8 +110,8 @@ static RoutePoint cubic_at(const RoutePiece *p, double u)
     return at;
 }
 
-/* Tangent and curvature by heading and slope, position by the plan's coordinates and the height over it: (RO1)-(RO3).
- */
+/* Tangent and curvature by heading and slope, position by the plan's coordinates and the height over it:
+ * (RO1)-(RO3). */
 static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const RouteKnot *plan, double height)
 {
     const RouteCurve *const c = &p->curve;
@@ -131,7 +129,7 @@ static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const
     return at;
 }
 
-/* Where x is along a curve that is no cubic: its parameter, slope and height over the start. */
+/* Place of x along a curve that is not a cubic: its parameter, slope and height over the start. */
 typedef struct CurvePlace {
     double u, slope, height;
 } CurvePlace;
@@ -148,13 +146,13 @@ static CurvePlace curve_place(const RoutePiece *p, const RouteKnot *knot, double
                         x * sinc(half) * sin(c->slope + half)};
 }
 
-/* NULL: no piece is timed. */
+/* NULL: no piece has knots. */
 static const RouteKnot *knots_of(const Route *route, const RoutePiece *p)
 {
     return route->knot ? route->knot + p->curve.first : NULL;
 }
 
-/* At distance x from its start, within its length. */
+/* Point at distance x from its start, within its length. */
 static RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x)
 {
     const RouteCurve *const c = &p->curve;
@@ -175,7 +173,7 @@ static RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double
     return curve_point(p, at.u, at.slope, &plan, at.height);
 }
 
-/* The same without the position, which costs an integral: tangent and curvature only. */
+/* The same without the position, which requires an integral: tangent and curvature only. */
 static RoutePoint route_curve_way(const Route *route, const RoutePiece *p, double x)
 {
     const RouteKnot none = {0};
@@ -193,17 +191,17 @@ static Vec3 route_centre(Vec3 tangent, Vec3 left, double plane)
     return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
 }
 
-/* What rounding of a slope leaves of no change of grade. */
+/* Size of a change of grade that is only rounding. */
 static const double RISE_MIN = 1e-14;
 
-/* By how much tan(slope) changes along a parabola; 0: it is a straight grade, and has no knots. */
+/* Change of tan(slope) along a parabola; 0: it is a straight grade, and has no knots. */
 static double parabola_rise(const RouteCurve *c)
 {
     const double rise = fabs(c->vertical * c->end);
     return rise > RISE_MIN * (1 + c->grade * c->grade) ? rise : 0;
 }
 
-/* How many steps of u the integrals need: at most 0.3 rad of plan and of change of slope each; a cubic's until its
+/* Number of steps of u for the integrals: at most 0.3 rad of plan and of change of slope each; for a cubic until its
  * length no longer changes. 0: closed form. */
 static int steps_wanted(const RoutePiece *p)
 {
@@ -270,8 +268,8 @@ static void curve_fill(RoutePiece *p, const RoutePieceDef *def, Vec3 left)
     }
 }
 
-/* Largest curvature, whole turn and jerk, by looks along the piece; a curve's largest curvature is met at its ends or
- * where the looks see it, refined by a parabola through three. */
+/* Finds largest curvature, total angle and jerk by samples along the piece; a curve's largest curvature is at its ends
+ * or at a sample, refined by a parabola through three. */
 static void measure(const Route *route, RoutePiece *p)
 {
     enum { LOOKS = 200 };
@@ -297,8 +295,8 @@ static void measure(const Route *route, RoutePiece *p)
     p->angle = sum;
 }
 
-/* Sets a curve or cubic that begins at p->start with p->tangent: `left` is the level left there, the rest of p but kind
- * and name is filled in. Knots are added to the route. Errors: MEMORY. */
+/* Sets a curve or cubic that begins at p->start with p->tangent: `left` is the level left there; fills in the rest of p
+ * except kind and name. Knots are added to the route. Errors: MEMORY. */
 static hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *def, Vec3 left,
                                      hawser_error *err)
 {
@@ -323,7 +321,7 @@ static hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePie
     return HAWSER_OK;
 }
 
-/* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
+/* Horizontal part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
 static const double LEVEL_MIN = 1e-9;
 
 /* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
@@ -333,7 +331,7 @@ static Vec3 route_level_left(Vec3 t)
     return level > LEVEL_MIN ? v3(-t.y / level, t.x / level, 0) : v3(0, 0, 0);
 }
 
-/* Position, tangent and curvature at distance x from a piece's start; straight on for x < 0. (R1), (RO1) */
+/* Position, tangent and curvature at distance x from a piece's start; straight for x < 0. (R1), (RO1) */
 static RoutePoint piece_at(const Route *route, const RoutePiece *p, double x)
 {
     if (p->kind >= ROUTE_CURVE && x >= 0) return route_curve_at(route, p, x);
@@ -348,7 +346,7 @@ static RoutePoint piece_at(const Route *route, const RoutePiece *p, double x)
     return at;
 }
 
-/* The tangent on this slope whose level left is known. */
+/* The tangent with this slope and this level left. */
 static Vec3 tangent_on(double slope, Vec3 left)
 {
     return v3_axpy(v3_scale(cos(slope), v3(left.y, -left.x, 0)), sin(slope), v3(0, 0, 1));
@@ -461,8 +459,8 @@ double route_turn(const Route *route, double s)
 
 double route_way(const RoutePoint *at, Vec3 p) { return fmax(1 - v3_dot(v3_sub(p, at->position), at->curvature), 0.1); }
 
-/* Whether a step of Newton's iteration leaves less than 1e-10 m: on one piece it leaves the curvature times its square.
- */
+/* Checks whether a step of Newton's iteration leaves less than 1e-10 m: on one piece it leaves the curvature times its
+ * square. */
 static int foot_found(const RoutePoint *before, const RoutePoint *there, double step)
 {
     const double bend2 = fmax(v3_dot(before->curvature, before->curvature), v3_dot(there->curvature, there->curvature));
@@ -508,7 +506,7 @@ int route_turns_aside(const RoutePiece *piece)
     return piece->kind != ROUTE_STRAIGHT && piece->curve.sideways;
 }
 
-/* Whether piece p + 1 turns as p does at its end. */
+/* Checks whether piece p + 1 bends in the same way as p does at its end. */
 static int turns_on(const Route *route, int p)
 {
     const RoutePiece *const one = &route->piece[p], *const next = &route->piece[p + 1];
@@ -539,8 +537,8 @@ const char *route_piece_word(const RoutePiece *piece)
     return c->profile == PROFILE_GRADE ? "helix" : "curve";
 }
 
-/* Where the tangent is vertical inside a bend, the tangent just before it is t - ds c with the level vector c
- * toward the centre; where a piece begins vertically, the question goes to the piece before it. (R3) */
+/* If the tangent is vertical inside a bend, the tangent just before it is t - ds c with the level vector c toward the
+ * centre; if a piece begins vertically, the piece before it decides. (R3) */
 Vec3 route_left(const Route *route, double s)
 {
     const RoutePoint at = route_at(route, s);
@@ -578,13 +576,13 @@ static hawser_status line_drop(RouteLine *line, hawser_status status)
 
 /* ------------------------------------------------------------------------------------------- changes of slope */
 
-/* What the corners take off each straight, and the slopes at its start. */
+/* Length that the corners take off each straight, and the slopes at its start. */
 typedef struct Corner {
-    double change;        /* rad, of slope where the piece begins */
+    double change;        /* rad, of slope at the piece's beginning */
     double ahead, behind; /* m off this piece at its start; off the one before at its end */
 } Corner;
 
-/* The corners of the line as it is, by building it. Errors: MEMORY. */
+/* Finds the corners of the present line by building it. Errors: MEMORY. */
 static hawser_status corners_find(int n, const RoutePieceDef *def, const RouteLine *line, double radius, Corner *corner,
                                   hawser_error *err)
 {
@@ -638,13 +636,13 @@ hawser_status route_round_slopes(int n, const RoutePieceDef *def, double heading
 
 /* ------------------------------------------------------------------------------------------------------ polylines */
 
-/* Where a polyline has got to. */
+/* Progress along a polyline. */
 typedef struct Walk {
     Vec3 tangent, left;
-    double taken; /* m of the leg ahead that the last corner took */
+    double taken; /* m of the next leg that the last corner used */
 } Walk;
 
-/* The level left behind a turn from w->tangent to `ahead`, as route_left finds it (R3). */
+/* The level left after a turn from w->tangent to `ahead`, as in route_left (R3). */
 static Vec3 left_behind(const Walk *w, Vec3 ahead, Vec3 centre, double turn)
 {
     Vec3 left = route_level_left(ahead);
@@ -768,7 +766,7 @@ static const double PLAN_LENGTH_MIN = 1e-6, CORNER_MAX = 1e-6;
 
 /* ---------------------------------------------------------------------------------------------------- the profile */
 
-/* Level lengths that the rounding of a corner takes before and behind it, between two slopes. */
+/* Horizontal lengths that the rounding of a corner takes before and behind it, between two slopes. */
 static void corner_off(const RouteProfileCorner *c, double radius, const double slope[2], double off[2])
 {
     const double round = c->radius > 0 ? c->radius : c->parabola > 0 ? 0 : radius;
@@ -781,7 +779,8 @@ static double slope_between(const RouteProfileCorner *a)
     return atan2(a[1].height - a->height, a[1].station - a->station);
 }
 
-/* The grade behind corner i - 1 and the rounding of corner i; taken: of the grade by the corner before it. */
+/* Adds the grade behind corner i - 1 and the rounding of corner i; taken: length of the grade used by the corner before
+ * it. */
 static hawser_status corner_add(int n, const RouteProfileCorner *c, int i, double radius, double *taken,
                                 RouteProfile *out, hawser_error *err)
 {
@@ -812,7 +811,7 @@ hawser_status route_profile_from_corners(int n, const RouteProfileCorner *corner
 {
     assert(n >= 2 && radius > 0);
     *out = (RouteProfile){0};
-    for (int i = 1; i < n; ++i) { /* before slopes between them mean anything */
+    for (int i = 1; i < n; ++i) { /* checked before slopes between them are used */
         if (!(corner[i].station - corner[i - 1].station > PLAN_LENGTH_MIN))
             return error_set(err, HAWSER_ERR_INPUT, "the stations of profile points %d and %d do not rise", i, i + 1);
     }
@@ -827,7 +826,8 @@ hawser_status route_profile_from_corners(int n, const RouteProfileCorner *corner
     return status;
 }
 
-/* Slope inside an element, at a level distance from its start: a parabola's tangent and an arc's sine are linear. */
+/* Slope inside an element, at a horizontal distance from its start: a parabola's tangent and an arc's sine are
+ * linear. */
 static double slope_inside(const RouteProfileElement *e, double x)
 {
     const double share = x / e->length;
@@ -846,12 +846,12 @@ static double rise_inside(const RouteProfileElement *e, double x)
 
 /* ---------------------------------------------------------------------------------------------- plan and profile */
 
-/* How far both have been gone through. */
+/* Progress along both. */
 typedef struct Both {
     const RoutePlanElement *plan;
     const RouteProfile *profile;
-    int i, k;        /* the elements */
-    double at, rise; /* m, in them */
+    int i, k;        /* indices of the elements */
+    double at, rise; /* m, within them */
 } Both;
 
 /* The next piece: to the end of the nearer element. */
@@ -874,7 +874,7 @@ static RoutePieceDef piece_next(const Both *b, double *length)
     return p;
 }
 
-/* As a straight or as a bend in a plane where it is one: those have closed forms. */
+/* Returns the piece as a straight or a bend in a plane if it is one: those have closed forms. */
 static RoutePieceDef piece_plain(RoutePieceDef p)
 {
     const int straight = !(fabs(p.curvature[0]) + fabs(p.curvature[1]) > 0);
@@ -896,7 +896,7 @@ static RoutePieceDef piece_plain(RoutePieceDef p)
     return p;
 }
 
-/* Where the plan begins in the profile, and that it reaches along the plan and has no corners. */
+/* Finds the plan's beginning in the profile, and checks that the profile covers the plan and has no corners. */
 static hawser_status profile_enter(Both *b, double station, double length, double *height, hawser_error *err)
 {
     const RouteProfile *const p = b->profile;
@@ -946,7 +946,7 @@ hawser_status route_from_plan_and_profile(int n, const RoutePlanElement *plan, c
             b.i++;
             b.at = 0;
         }
-        /* the last grade may end a rounding before the plan does */
+        /* the last grade may end a rounding error before the plan does */
         if (profile && b.k + 1 < profile->n && profile->element[b.k].length - b.rise < PLAN_LENGTH_MIN) {
             b.k++;
             b.rise = 0;

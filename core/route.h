@@ -1,7 +1,7 @@
-/* A route: pieces end to end in three dimensions, with tangents that join smoothly: straights, bends in a plane, and
- * curves (clothoids, helices, plan and profile together, cubics). It is the line on which the cable's centre is meant
- * to lie. s is the arc length from the start, m. docs/model.md, "Routes". What makes lists of pieces out of points,
- * plans and profiles stands in core/route.h. */
+/* A route: pieces end to end in three dimensions, with continuous tangents: straights, bends in a plane, and curves
+ * (clothoids, helices, plan and profile together, cubics). It is the intended line of the cable's centre. s is the arc
+ * length from the start, m. docs/model.md, "Routes". Lists of pieces from points, plans and profiles are made by
+ * functions further down. */
 #ifndef HAWSER_CORE_ROUTE_H
 #define HAWSER_CORE_ROUTE_H
 
@@ -10,35 +10,35 @@
 
 typedef enum RoutePieceKind { ROUTE_STRAIGHT, ROUTE_BEND, ROUTE_CURVE, ROUTE_CUBIC } RoutePieceKind;
 
-/* How a curve rises over its plan: slope's angle linear in s (constant, or a circular arc), or height a parabola. */
+/* Rise of a curve over its plan: slope's angle linear in s (constant, or a circular arc), or height a parabola. */
 typedef enum RouteProfileKind { PROFILE_GRADE, PROFILE_ARC, PROFILE_PARABOLA } RouteProfileKind;
 
 enum { ROUTE_NAME_MAX = 48 };
 
 /* One piece as the user describes it; plane is the angle of the bend's centre about the tangent: 0 the centre lies to
- * the left and level, pi/2 above (the route turns upward), pi to the right, 3pi/2 below.
- * A curve is a plan, whose curvature is linear along its own length, with a profile over it. Upright: the plan is
- * level, curvature counts to the left, and the profile begins on the slope that the route has there. Not upright: the
- * plan lies in the plane of the tangent and of the centre that `plane` says, toward which curvature counts; it has no
- * profile. */
+ * the left and level, pi/2 above (the route turns upward), pi to the right, 3pi/2 below. A curve is a plan, whose
+ * curvature is linear along its own length, with a profile over it. Upright: the plan is horizontal, curvature counts
+ * to the left, and the profile begins on the slope that the route has there. Not upright: the plan is in the plane of
+ * the tangent and of the centre given by `plane`, toward which curvature counts; it has no profile. */
 typedef struct RoutePieceDef {
     RoutePieceKind kind;
     char name[ROUTE_NAME_MAX];
-    double length; /* straight: m, > 0; curve: of its plan */
-    double radius; /* bend: m, > 0 */
-    double angle;  /* bend: rad, > 0 */
-    double plane;  /* bend, curve that is not upright: rad */
-    int sloped;   /* it begins on a slope of its own, on the heading of the piece before: a corner (see route_make.h) */
-    double slope; /* rad, of that */
-    int upright;  /* curve */
+    double length;            /* straight: m, > 0; curve: of its plan */
+    double radius;            /* bend: m, > 0 */
+    double angle;             /* bend: rad, > 0 */
+    double plane;             /* bend, curve that is not upright: rad */
+    int sloped;               /* 1: it begins on a slope of its own, on the heading of the piece before: a corner
+                               * (route_round_slopes) */
+    double slope;             /* rad, that slope */
+    int upright;              /* curve */
     double curvature[2];      /* curve: of the plan, at its start and end, 1/m; not both 0 unless the profile bends */
     RouteProfileKind profile; /* curve that is upright */
     double slope_end;         /* curve with an arc or a parabola: slope at its end, rad, within +-pi/2 */
     Vec3 cubic[3];            /* cubic: position from its start is c0 u + c1 u^2 + c2 u^3, 0 <= u <= 1, m; c0 != 0 */
-    int listed; /* which of the listed pieces it is, from 1 on; 0: none, it was made of points or lies between two */
+    int listed; /* number among the listed pieces, from 1 on; 0: none, it was made from points or lies between two */
 } RoutePieceDef;
 
-/* Where the integrals along a curve have been taken: its parameter u, arc length and plan up to there, m. */
+/* Node of the integrals along a curve: its parameter u, arc length and plan up to there, m. */
 typedef struct RouteKnot {
     double u, x;
     double along, aside;
@@ -47,16 +47,16 @@ typedef struct RouteKnot {
 /* A curve that is built (RO1)-(RO9). The parameter u is the plan's length, m, or a cubic's 0..1. */
 typedef struct RouteCurve {
     Vec3 axis[3];       /* unit: along the plan's first tangent, toward positive curvature, up */
-    double bend, sharp; /* plan curvature at its start, 1/m, and by how much it grows per metre, 1/m2 */
+    double bend, sharp; /* plan curvature at its start, 1/m, and its growth per metre, 1/m2 */
     RouteProfileKind profile;
     double slope;    /* rad, at its start, over the plan */
     double grade;    /* its tangent */
-    double vertical; /* arc: 1/m, curvature of the profile; parabola: by how much tan(slope) grows per metre of plan */
+    double vertical; /* arc: 1/m, curvature of the profile; parabola: growth of tan(slope) per metre of plan */
     Vec3 cubic[3];
     double end;   /* u there */
-    int first, n; /* of the route's knots: n + 1 of them at even steps of u; n = 0: closed form */
-    double jerk;  /* 1/m2, largest |dkappa/ds| square to the tangent */
-    int sideways; /* its plan is not straight */
+    int first, n; /* among the route's knots: n + 1 of them at even steps of u; n = 0: closed form */
+    double jerk;  /* 1/m2, largest |dkappa/ds| normal to the tangent */
+    int sideways; /* 1: its plan is not straight */
 } RouteCurve;
 
 typedef struct RoutePiece {
@@ -65,7 +65,7 @@ typedef struct RoutePiece {
     int listed;        /* as in its definition */
     double s0, length; /* m */
     double radius,
-        angle;        /* m, rad; of curves the least radius in space and the whole turn of the tangent; straights: 0 */
+        angle;        /* m, rad; of curves the least radius in space and the total angle of the tangent; straights: 0 */
     Vec3 start;       /* m */
     Vec3 tangent;     /* unit, at the piece's start */
     Vec3 centre;      /* bends: unit vector from the start toward the centre */
@@ -81,7 +81,7 @@ typedef struct Route {
     RouteKnot *knot; /* [n_knots] of the curves */
 } Route;
 
-/* What the route is like at arc length s: position (m), unit tangent, curvature vector (1/m, toward the centre). */
+/* The route at arc length s: position (m), unit tangent, curvature vector (1/m, toward the centre). */
 typedef struct RoutePoint {
     Vec3 position, tangent, curvature;
     int piece;
@@ -92,9 +92,9 @@ typedef struct RoutePoint {
 hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading, double slope,
                           hawser_error *err);
 void route_clear(Route *route);
-/* The route at s; before 0 and past its length it goes on straight. */
+/* The route at s; before 0 and past its length it continues straight. */
 RoutePoint route_at(const Route *route, double s);
-/* The same on one piece, whose law holds up to both its ends. */
+/* The same on one piece, whose formula is valid up to both its ends. */
 RoutePoint route_on_piece(const Route *route, int piece, double s);
 /* The same of a curve or cubic, without the position. */
 RoutePoint route_way_on_piece(const Route *route, int piece, double s);
@@ -103,31 +103,31 @@ double route_turn(const Route *route, double s);
 /* The foot of the perpendicular from p on the route near the place s (m), by Newton's method; *at (may be NULL) is the
  * route there. (R4) */
 double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at);
-/* How far p goes along the tangent as its foot `at` goes on by 1 m: 1 less what the route turns toward it. At least
- * 0.1: at a bend's centre every place of the bend is as near as any other. */
+/* Distance by which p moves along the tangent as its foot `at` moves by 1 m: 1 less the curvature toward it. At least
+ * 0.1: at a bend's centre every place of the bend is equally near. */
 double route_way(const RoutePoint *at, Vec3 p);
 /* Slope of the tangent above the horizontal at s, rad. */
 double route_slope(const Route *route, double s);
-/* Whether a piece turns to a side at all. */
+/* Checks whether a piece turns to a side. */
 int route_turns_aside(const RoutePiece *piece);
-/* The last of the pieces from `first` on that turn alike, each going on with the curvature the one before it ends with:
- * of a bend, or a curve, that is cut into parts, its last part. */
+/* The last of the pieces from `first` on that bend in the same way, each continuing with the end curvature of the one
+ * before it: the last part of a bend, or a curve, that is cut into parts. */
 int route_turn_end(const Route *route, int first);
-/* A bend lies in one plane: one to the side that begins on a slope ends on another. The first of the route that begins
- * with its centre at its start's height and changes the slope by more than `least` (rad); its slopes at both ends. -1:
- * none. */
+/* A bend is in one plane: a bend to the side that begins on a slope ends on another one. Finds the first bend of the
+ * route that begins with its centre at its start's height and changes the slope by more than `least` (rad), with its
+ * slopes at both ends. -1: none. */
 int route_grade_lost(const Route *route, double least, double *before, double *after);
 /* Level unit vector to the left of the tangent at s (for a vertical tangent: of the heading before it). */
 Vec3 route_left(const Route *route, double s);
-/* What a table calls a piece: "straight", "bend", "helix", "clothoid", "parabola", "vertical arc", "curve", "cubic". */
+/* Name of a piece in tables: "straight", "bend", "helix", "clothoid", "parabola", "vertical arc", "curve", "cubic". */
 const char *route_piece_word(const RoutePiece *piece);
 /* -------------------------------------------------- what building a route needs of its curves, for core/route*.c */
 
-/* Lists of pieces out of what surveyors and designers have: straights with slopes, points with fillets or a spline
+/* Lists of pieces from the data of surveyors and designers: straights with slopes, points with fillets or a spline
  * through them, plan and profile by station. Readers of tables and drawings fill the plain structs below and get a
- * RouteLine, which route_build takes. docs/model.md, "Routes". */
+ * RouteLine for route_build. docs/model.md, "Routes". */
 
-/* What route_build needs. */
+/* Arguments of route_build. */
 typedef struct RouteLine {
     Vec3 start;            /* m */
     double heading, slope; /* rad */
@@ -137,11 +137,11 @@ typedef struct RouteLine {
 
 /* Rounds the corners at which straights begin on slopes of their own (RoutePieceDef.sloped): a bend in the vertical
  * plane of this radius (m), tangent to both straights, where the slope changes by more than rounding (RO13). Behind a
- * piece that is no straight the bend begins where that ends, and its tangents come off the straight. Errors: INPUT (a
- * straight is too short), MEMORY. */
+ * piece that is not straight the bend begins at that piece's end, and its tangent lengths come off the straight.
+ * Errors: INPUT (a straight is too short), MEMORY. */
 hawser_status route_round_slopes(int n, const RoutePieceDef *def, double heading, double slope, double radius,
                                  RouteLine *out, hawser_error *err);
-/* A point of a polyline, and the radius with which its corner is rounded; of the first and last it does not count. */
+/* A point of a polyline, and the radius of its corner; not used for the first and last. */
 typedef struct RouteCorner {
     Vec3 point;    /* m */
     double radius; /* m, > 0 */
@@ -153,7 +153,8 @@ hawser_status route_from_corners(int n, const RouteCorner *corner, RouteLine *ou
 /* The cubic spline through n >= 2 points, by chord lengths, without curvature at its ends (RO15). Errors: INPUT (points
  * that coincide), MEMORY. */
 hawser_status route_from_spline(int n, const Vec3 *point, RouteLine *out, hawser_error *err);
-/* A line, arc or clothoid of the plan: curvature goes evenly from one end to the other, 1/m, to the left positive. */
+/* A line, arc or clothoid of the plan: curvature changes linearly from one end to the other, 1/m, positive to the
+ * left. */
 typedef struct RoutePlanElement {
     char name[ROUTE_NAME_MAX];
     double length; /* m, level */
@@ -170,12 +171,12 @@ typedef struct RouteProfileElement {
 /* A corner of the profile: it is rounded by an arc of a radius or by a parabola of a level length. */
 typedef struct RouteProfileCorner {
     double station, height; /* m */
-    double radius;          /* m; 0: by the parabola, or sharp if there is none; not of the first and last */
+    double radius;          /* m; 0: by the parabola, or sharp if there is none; not used for the first and last */
     double parabola;        /* m, half of it on either side; 0: none */
 } RouteProfileCorner;
 
 typedef struct RouteProfile {
-    double station, height; /* m, where it begins */
+    double station, height; /* m, its beginning */
     int n;
     RouteProfileElement *element; /* [n] malloc'ed: the caller's; NULL after an error */
 } RouteProfile;
@@ -185,8 +186,8 @@ typedef struct RouteProfile {
 hawser_status route_profile_from_corners(int n, const RouteProfileCorner *corner, double radius, RouteProfile *out,
                                          hawser_error *err);
 /* Plan and profile together, cut at the elements of both (RO12). The plan begins at `station` of the profile at
- * (start.x, start.y), on this heading; the height is the profile's. profile NULL: level at start.z. Errors: INPUT (the
- * profile does not reach along the plan, or has corners), MEMORY. */
+ * (start.x, start.y), with this heading; the height is the profile's. profile NULL: level at start.z. Errors: INPUT
+ * (the profile does not cover the plan, or has corners), MEMORY. */
 hawser_status route_from_plan_and_profile(int n, const RoutePlanElement *plan, const RouteProfile *profile,
                                           double station, Vec3 start, double heading, RouteLine *out,
                                           hawser_error *err);

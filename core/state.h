@@ -20,7 +20,7 @@ static inline Quat state_attitude(const double *y, int n, int i)
     return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
 
-/* What something does to the motion of the chain. */
+/* Power and force of something on the motion of the chain. */
 
 typedef struct Push {
     double power; /* W */

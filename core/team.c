@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* How often a waiting thread looks before it sleeps: some 150 microseconds, longer than the gaps in a step. */
+/* Number of checks of a waiting thread before it sleeps: some 150 microseconds, longer than the gaps in a step. */
 enum { SPINS = 6000, CACHE_LINE = 64 };
-/* After so many jobs in a row for which the helper came too late (its core is busy with something else), the caller
- * works alone for a while, and does not pay for waking the helper. */
+/* After so many jobs in a row for which the helper came too late (its core is busy), the caller works alone for a
+ * number of jobs, without the cost of waking the helper. */
 enum { MISSES = 4, REST = 64 };
 
 /* A count that one thread raises and the other awaits. */
@@ -24,18 +24,18 @@ typedef struct Signal {
 
 struct Team {
     int size;
-    pid_t process; /* in which the helper is */
+    pid_t process; /* process in which the helper runs */
     pthread_t helper;
-    int missed, rest;  /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
-    cpu_set_t cores;   /* where the process may run */
-    atomic_int core;   /* where the caller runs */
-    atomic_int ending; /* the helper is to end */
-    atomic_int pin;    /* it may confine itself to other cores */
-    TeamJob job;       /* of the job that `given` counts */
+    int missed, rest;  /* the caller's: jobs in a row that the helper missed; jobs still to be done alone */
+    cpu_set_t cores;   /* cores allowed for the process */
+    atomic_int core;   /* core of the caller */
+    atomic_int ending; /* 1: the helper has to end */
+    atomic_int pin;    /* 1: the helper may restrict itself to other cores */
+    TeamJob job;       /* of the job counted by `given` */
     void *arg;
-    Signal given;                            /* jobs so far */
+    Signal given;                            /* number of jobs so far */
     Signal done;                             /* the last job whose second share the helper has finished */
-    _Alignas(CACHE_LINE) atomic_ulong taken; /* the last job whose second share has a taker */
+    _Alignas(CACHE_LINE) atomic_ulong taken; /* the last job whose second share was taken */
 };
 
 static inline void cpu_relax(void)
@@ -68,8 +68,9 @@ static void signal_raise(Signal *s, unsigned long to)
     pthread_mutex_unlock(&s->lock);
 }
 
-/* Waits until the count is at least `goal`. Either this thread sees the count after it said that it sleeps, or the
- * other sees that after it raised the count (both are sequentially consistent): no wake-up is lost. */
+/* Waits until the count is at least `goal`. Either this thread sees the new count after it has announced its sleep, or
+ * the other sees the announcement after it has raised the count (both are sequentially consistent): no wake-up is
+ * lost. */
 static unsigned long signal_await(Signal *s, unsigned long goal, int spins)
 {
     for (int k = 0; k < spins; ++k) {
@@ -85,17 +86,17 @@ static unsigned long signal_await(Signal *s, unsigned long goal, int spins)
     return atomic_load(&s->count);
 }
 
-/* Takes the second share of job number `job`, if it is the latest and nobody has it. */
+/* Takes the second share of job number `job`, if it is the latest and not taken yet. */
 static int share_take(Team *t, unsigned long job)
 {
     unsigned long before = job - 1;
     return atomic_compare_exchange_strong(&t->taken, &before, job);
 }
 
-/* On a busy machine the helper may be woken on the caller's own core, where it only keeps the caller from working. */
+/* On a busy machine the helper may be woken on the caller's own core, where it only delays the caller. */
 static int in_the_way(Team *t) { return sched_getcpu() == atomic_load_explicit(&t->core, memory_order_relaxed); }
 
-/* Confines the helper to the other cores that the process may use. */
+/* Restricts the helper to the other cores allowed for the process. */
 static void move_away(Team *t)
 {
     cpu_set_t others = t->cores;
@@ -111,7 +112,7 @@ static void *helper_main(void *team)
         if (atomic_load(&t->ending)) return NULL;
         if (in_the_way(t)) {
             if (atomic_load_explicit(&t->pin, memory_order_relaxed)) move_away(t);
-            continue; /* the caller does it, or did */
+            continue; /* the caller does it, or has done it */
         }
         if (!share_take(t, job)) continue;
         t->job(t->arg, 1);
@@ -151,7 +152,8 @@ void team_settle(Team *t)
     if (t && t->process != getpid()) t->size = 1;
 }
 
-/* In a forked process what the lost thread waited for can neither be woken nor destroyed: glibc would wait for it. */
+/* In a forked process the objects on which the lost thread waited can neither be woken nor destroyed: glibc would wait
+ * for it. */
 Team *team_free(Team *t)
 {
     if (!t) return NULL;

@@ -1,5 +1,5 @@
-/* Three-vectors, quaternions and 3x3 matrices of doubles: plain values, inline functions, no state.
- * Quaternions are (w, x, y, z), Hamilton's product, and turn body components into world components. */
+/* Three-vectors, quaternions and 3x3 matrices of doubles: plain values, inline functions, no state. Quaternions are (w,
+ * x, y, z), Hamilton's product, and rotate body components into world components. */
 #ifndef HAWSER_CORE_VEC3_H
 #define HAWSER_CORE_VEC3_H
 
@@ -58,7 +58,7 @@ static inline void v3_store(double *const a[3], int i, Vec3 v)
     a[2][i] = v.z;
 }
 
-/* Adds v to it. */
+/* Adds v to that entry. */
 static inline void v3_gather(double *const a[3], int i, Vec3 v)
 {
     a[0][i] += v.x;
@@ -66,7 +66,6 @@ static inline void v3_gather(double *const a[3], int i, Vec3 v)
     a[2][i] += v.z;
 }
 
-/* No vector at all. */
 static const Vec3 V3_ZERO = {0, 0, 0};
 
 /* World axis 0, 1 or 2. */
@@ -119,7 +118,7 @@ static inline Vec3 quat_log(Quat q)
     return v3(sign * scale * q.x, sign * scale * q.y, sign * scale * q.z);
 }
 
-/* v turned by the unit quaternion q. */
+/* v rotated by the unit quaternion q. */
 static inline Vec3 quat_rotate(Quat q, Vec3 v)
 {
     const Vec3 u = v3(q.x, q.y, q.z);
@@ -127,7 +126,7 @@ static inline Vec3 quat_rotate(Quat q, Vec3 v)
     return v3_add(v3_axpy(v, q.w, t), v3_cross(u, t));
 }
 
-/* The smallest rotation that takes unit vector a to b, applied after q: a frame that is carried without twist. */
+/* The smallest rotation that takes unit vector a to b, applied after q: a parallel-transported frame. */
 static inline Quat quat_carry(Quat q, Vec3 a, Vec3 b)
 {
     const Vec3 axis = v3_cross(a, b);
@@ -153,10 +152,10 @@ static inline Quat quat_from_axes(Vec3 ex, Vec3 ey, Vec3 ez)
     return quat_unit(q);
 }
 
-/* The largest and the smallest of what was found. fmax(x, NAN) is x: who accumulates an error with it loses every NAN.
- */
+/* The largest and the smallest of several values. fmax(x, NAN) is x: accumulating an error with it loses every NAN. */
 
-/* The larger of the two; NAN if one of them is, so that a NAN stays to the end of a loop and every bound refuses it. */
+/* The larger of the two; NAN if one of them is, so that a NAN is kept to the end of a loop and fails every check of a
+ * bound. */
 static inline double larger_of(double a, double b) { return isnan(a) || a >= b ? a : b; }
 
 /* The smaller; NAN likewise. */

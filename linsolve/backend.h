@@ -1,10 +1,10 @@
-/* What a back end offers to linsolve.c. */
+/* Interface of a back end to linsolve/dispatch.c. */
 #ifndef HAWSER_LINSOLVE_BACKEND_H
 #define HAWSER_LINSOLVE_BACKEND_H
 
 #include "linsolve/linsolve.h"
 
-/* Returned by a factorisation that linsolve.c is to repeat with KLU. */
+/* Returned by a factorisation that has to be repeated with KLU. */
 enum { LIN_UNSTABLE = 1000 };
 
 /* A matrix as given or assembled: back ends of the block family read `newton`, the others `sparse`. */
@@ -16,35 +16,36 @@ typedef struct LinMatrix {
 } LinMatrix;
 
 typedef struct LinBackend {
-    int sparse; /* wants LinMatrix.sparse */
-    /* NULL when there is no memory. */
+    int sparse; /* 1: needs LinMatrix.sparse */
+    /* Returns NULL when there is no memory. */
     void *(*make)(const LinMatrix *a, const LinOptions *options);
     void (*drop)(void *self);
-    /* As linsolver_factor, or LIN_UNSTABLE. */
+    /* Like linsolver_factor; may also return LIN_UNSTABLE. */
     int (*factor)(void *self, const LinMatrix *a);
     int (*solve)(void *self, int count, double *x); /* after a factorisation that succeeded */
-    /* As linsolver_stream; NULL: the whole right-hand side is made first. */
+    /* Like linsolver_stream; NULL: the whole right-hand side is computed first. */
     int (*stream)(void *self, const LinStream *stream, double *x);
-    /* As linsolver_rough, just before the factorisation; NULL: there is nothing to be rounded. */
+    /* Like linsolver_rough, called just before the factorisation; NULL: nothing can be rounded. */
     void (*rough)(void *self, int rough);
-    /* What goes on from factorisation to factorisation; read, it makes the factors of a again, if there are any. NULL:
-     * factors depend on the matrix alone. */
+    /* Saves or loads what passes from factorisation to factorisation; loading restores the factors of a, if there are
+     * any. NULL: factors depend on the matrix alone. */
     void (*checkpoint)(Checkpoint *c, void *self, const LinMatrix *a, int ready);
-    /* Fills what the back end knows: ordering, refactors, fallbacks, pivoted, nonzeros, growth. */
+    /* Fills in the back end's statistics: ordering, refactors, fallbacks, pivoted, nonzeros, growth. */
     void (*stats)(const void *self, LinStats *stats);
 } LinBackend;
 
 extern const LinBackend klu_backend, block_backend, bordered_backend, block_sparse_backend;
 
-/* LinOptions.growth_limit, or the default: losing more than six digits to growth is worth a better factorisation. */
+/* LinOptions.growth_limit, or the default: a loss of more than six digits by growth justifies a better
+ * factorisation. */
 static inline double growth_limit_of(const LinOptions *options)
 {
     return options->growth_limit > 0 ? options->growth_limit : 1e6;
 }
 
-/* An ordering that KLU does not bring along: METIS' nested dissection of the groups of a->sparse (one vertex a group,
- * weighed by its size), spelt out for the unknowns: perm[k] is the unknown in place k. 0: done; < 0: no memory; > 0:
- * METIS refused. */
+/* An ordering that KLU does not include: METIS' nested dissection of the groups of a->sparse (one vertex per group,
+ * weighted by its size), expanded to the unknowns: perm[k] is the unknown in place k. 0: done; < 0: no memory; > 0:
+ * METIS failed. */
 int ordering_metis(const LinMatrix *a, int *perm);
 
 #endif

@@ -60,11 +60,11 @@ static int pattern_room(BlockPattern *p, int n)
     p->start = calloc(rows, sizeof(int));
     p->updates = calloc(rows, sizeof(int));
     if (p->row && p->place && p->start && p->updates) return 1;
-    block_pattern_free(p); /* nothing half made is left for the next try */
+    block_pattern_free(p); /* an incomplete pattern is not kept for the next attempt */
     return 0;
 }
 
-/* list has room for `count`; 0 if there is no memory. */
+/* Makes room in list for `count`; 0 if there is no memory. */
 static int list_room(int **list, int *allocated, int count)
 {
     if (count <= *allocated) return 1;
@@ -78,8 +78,8 @@ static int list_room(int **list, int *allocated, int count)
 
 static int int_compare(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
 
-/* What elimination in the order p->row fills: column k has what its row couples with later, and what those columns have
- * whose first block is in row k. */
+/* Blocks filled by elimination in the order p->row: column k has its couplings with later rows, and those of the
+ * columns whose first block is in row k. */
 static int fill(BlockPattern *p, const Graph *g)
 {
     const int n = p->n;
@@ -133,7 +133,7 @@ static int block_pattern_find(const BlockPattern *p, int row, int col)
     return block_of(p, p->place[row], p->place[col]);
 }
 
-/* Where the products of each column's blocks go. */
+/* Sets the targets of the products of each column's blocks. */
 static int updates_set(BlockPattern *p)
 {
     int count = 0;
@@ -152,8 +152,8 @@ static int updates_set(BlockPattern *p)
 
 static int degree(const Graph *g, int i) { return g->start[i + 1] - g->start[i]; }
 
-/* Takes the rows that row number k of the order couples with and that have no place yet, those with fewer neighbours
- * first, to the order's end; returns its new length. */
+/* Appends the rows that row number k of the order couples with and that are not placed yet to the order, those with
+ * fewer neighbours first; returns its new length. */
 static int neighbours_take(BlockPattern *p, const Graph *g, int k, int count)
 {
     const int from = count, row = p->row[k];
@@ -168,11 +168,11 @@ static int neighbours_take(BlockPattern *p, const Graph *g, int k, int count)
     return count;
 }
 
-/* Cuthill and McKee's order, reversed (L15): rows by their distance from an end of what is coupled, so that chains
- * beside each other go side by side, and the band is as wide as there are chains. */
+/* Cuthill and McKee's order, reversed (L15): rows by their distance from one end of the coupled rows, so that chains
+ * beside each other are ordered in parallel, and the band is as wide as the number of chains. */
 static void along(BlockPattern *p, const Graph *g)
 {
-    enum { PASSES = 3 }; /* from anywhere to an end, to the other end, and back through all */
+    enum { PASSES = 3 }; /* from any row to an end, to the other end, and back through all */
     int count = 0;
     for (int i = 0; i < p->n; ++i) p->place[i] = -1;
     for (int i = 0; i < p->n; ++i) {
@@ -289,18 +289,18 @@ int block_row_pivoted(const BlockFactor *f, const BlockRow *row)
 }
 
 /* The back end `block-sparse`: a chain, or several, with blocks anywhere off the three diagonals. The factors' pattern
- * is that of the blocks which are not zero now; without any it is the twisted block LU. docs/model.md, "Linear
+ * follows from the blocks that are not zero at present; without any it is the twisted block LU. docs/model.md, "Linear
  * solvers", (L15)-(L19). */
 
 typedef struct BlockSparseSolver {
     const SparseKernels *kernels;
-    BlockSolver plain; /* of a matrix without blocks off the diagonals */
-    int is_plain;      /* the present factors are those */
+    BlockSolver plain; /* for a matrix without blocks off the diagonals */
+    int is_plain;      /* 1: the present factors are in `plain` */
     BlockSparse s;
-    int coupled;      /* pairs of rows that the pattern was made for; -1: none was made */
-    int extras;       /* that there is room for */
-    BlockPair *pair;  /* [2][n + extras] those, and room for the next */
-    int value_blocks; /* that there is room for */
+    int coupled;      /* number of pairs of rows for which the pattern was made; -1: none */
+    int extras;       /* number allocated */
+    BlockPair *pair;  /* [2][n + extras] the pairs, and room for the next ones */
+    int value_blocks; /* number allocated */
     long analyses;
     BlockReport report;
 } BlockSparseSolver;
@@ -342,7 +342,7 @@ static void *sparse_make(const LinMatrix *a, const LinOptions *options)
 static int block_is_zero(const double *block)
 {
     for (int k = 0; k < SPARSE_CELL; ++k)
-        if (block[k] != 0) return 0; /* a NaN is not zero */
+        if (block[k] != 0) return 0; /* a NaN counts as not zero */
     return 1;
 }
 
@@ -351,7 +351,8 @@ static int extra_lives(const NewtonMatrix *m, int e)
     return m->live ? m->live[e] : !block_is_zero(m->extra[e].block);
 }
 
-/* The pairs of rows that are coupled now; each stands once, but extras that both ways live twice. Returns how many. */
+/* Finds the pairs of rows that are coupled at present, each once; the matrix has extra blocks in both directions.
+ * Returns their number. */
 static int pairs_now(const NewtonMatrix *m, BlockPair *pair, int *off)
 {
     int count = 0;
@@ -370,7 +371,7 @@ static int pairs_now(const NewtonMatrix *m, BlockPair *pair, int *off)
     return count;
 }
 
-/* The pattern for m's blocks of now; < 0: no memory. */
+/* Makes the pattern for m's present blocks; < 0: no memory. */
 static int pattern_follow(BlockSparseSolver *s, const NewtonMatrix *m, int *off)
 {
     const int n = m->chain.n;
@@ -461,12 +462,12 @@ static void sparse_stats(const void *self, LinStats *stats)
 const LinBackend block_sparse_backend = {
     .make = sparse_make, .drop = sparse_drop, .factor = sparse_factor, .solve = sparse_solve, .stats = sparse_stats};
 
-/* From how many blocks, and from how many entries in the diagonal ones, the second thread pays: measured,
+/* Numbers of blocks, and of entries in the diagonal ones, from which the second thread pays: measured,
  * bench/results/xeon-2core/linsolve.md. */
 enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_ENTRIES = 30000, ALIGNMENT = 64 };
 
-/* Rows that are made, swept over and used while they are in the second cache. Shorter tiles cost more than they save:
- * forty arrays that begin anew have their first lines fetched one by one. */
+/* Rows that are filled, swept over and used while they are in the second cache. Shorter tiles cost more than they save:
+ * at every start of a tile, the first lines of forty arrays have to be fetched separately. */
 enum { TILE = 4096 };
 
 static const BlockKernels *kernels_for(int b, Isa isa)
@@ -542,7 +543,7 @@ void block_solver_round(BlockSolver *s, int single) { s->f.single = single; }
 /* A solution: the sides' rows outside the seam, tile by tile, then the seam, then back. */
 typedef struct SolveJob {
     BlockSolver *s;
-    const LinStream *stream; /* NULL: x is whole */
+    const LinStream *stream; /* NULL: x is complete */
     int count, tile;
     LinSeam seam;
     double *x;

@@ -1,4 +1,4 @@
-/* The elimination of block rows, for block_lanes.h and sparse6_lanes.c only. A row is worked on in registers: its pivot
+/* The elimination of block rows, for block_lanes.h and sparse6_lanes.c only. A row is processed in registers: its pivot
  * block and the coupling that follows. */
 #ifndef HAWSER_LINSOLVE_BLOCK_ELIMINATE_H
 #define HAWSER_LINSOLVE_BLOCK_ELIMINATE_H
@@ -11,8 +11,8 @@
 
 enum { W = BLOCK_W, CELL = BLOCK_B * BLOCK_B };
 
-/* A B x B block, column by column. In memory columns lie side by side: a load brings along the beginning of what
- * follows, and nobody looks at those places. */
+/* A B x B block, column by column. Columns are adjacent in memory: a load includes the beginning of the following data,
+ * which is never used. */
 typedef struct Block {
     Vec c[B];
 } Block;
@@ -24,7 +24,7 @@ VEC_INLINE Block block_load(const double *p)
     return a;
 }
 
-/* Each column overwrites what the one before it stored too much. */
+/* Each column overwrites the surplus entries that the one before it stored. */
 VEC_INLINE void block_store(double *p, const Block *a)
 {
     UNROLL for (int c = 0; c + 1 < B; ++c) vec_store(p + c * B, a->c[c]);
@@ -34,7 +34,7 @@ VEC_INLINE void block_store(double *p, const Block *a)
 /* Limits of the fast path (L7): the sum of the multipliers, and row sum over pivot. */
 static const double multipliers_max = 30, smallness_max = 1e13;
 
-/* s - a v, v a block of the factor in memory: its numbers spread as they are loaded. */
+/* s - a v, v a block of the factor in memory: its numbers are spread as they are loaded. */
 VEC_INLINE Block block_minus(Block s, const Block *a, const double *v)
 {
     UNROLL for (int k = 0; k < B; ++k)
@@ -62,10 +62,10 @@ VEC_INLINE Vec quotients(const Block *s, int k)
 /* a less the multipliers m times its place k. */
 VEC_INLINE Vec column_eliminate(Vec a, Vec m, int k) { return vec_minus(a, m, vec_splat(a, k)); }
 
-/* Gauss-Jordan on [s | u], pivots on the diagonal (L3): s becomes its inverse and u the inverse times u, but for the
- * rows' division by their pivots; inverse gets 1 / pivot, multipliers the sum of |multipliers| below the diagonal,
- * place by place. The next pivot's column goes first in each step, so that its division overlaps with the other
- * columns. */
+/* Gauss-Jordan on [s | u], pivots on the diagonal (L3): s becomes its inverse and u the inverse times u, except for the
+ * division of the rows by their pivots; inverse gets 1 / pivot, multipliers the sum of |multipliers| below the
+ * diagonal, place by place. The next pivot's column goes first in each step, so that its division overlaps with the
+ * other columns. */
 VEC_INLINE void eliminate(Block *s, Block *u, Vec *inverse, Vec *multipliers)
 {
     Vec q = quotients(s, 0);

@@ -1,5 +1,5 @@
-/* The twisted block LU of a block chain: its data and the kernels that every instruction set offers.
- * docs/model.md, "Linear solvers", (L1)-(L8). */
+/* The twisted block LU of a block chain: its data and the kernels of every instruction set. docs/model.md, "Linear
+ * solvers", (L1)-(L8). */
 #ifndef HAWSER_LINSOLVE_BLOCK_FACTOR_H
 #define HAWSER_LINSOLVE_BLOCK_FACTOR_H
 
@@ -11,7 +11,7 @@
 /* The two halves of the chain: rows 0..middle-1 are eliminated downwards, n-1..middle+1 upwards. */
 enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
 
-/* Right-hand sides that the kernels take at once. */
+/* Number of right-hand sides that the kernels process at once. */
 enum { BLOCK_RHS = 4 };
 
 /* Blocks are stored like the chain's, b*b numbers. */
@@ -24,7 +24,7 @@ typedef struct BlockFactor {
     double growth_limit;
 } BlockFactor;
 
-enum { BLOCK_CELL = 48 }; /* a block and what a vector store may reach behind it */
+enum { BLOCK_CELL = 48 }; /* a block and the reach of a vector store beyond it */
 
 /* Rows from..to-1 of each side, for a sweep: the top's rows rise in a forward sweep and fall in a backward one, the
  * bottom's the other way. */
@@ -32,30 +32,30 @@ typedef struct BlockSpan {
     int top_from, top_to, bottom_from, bottom_to;
 } BlockSpan;
 
-/* What a factorisation noticed. */
+/* Statistics of a factorisation. */
 typedef struct BlockReport {
     double growth; /* largest growth of a row (L8) */
-    int pivoted;   /* block rows that needed pivoting off the diagonal */
+    int pivoted;   /* number of block rows that needed pivoting off the diagonal */
 } BlockReport;
 
 typedef struct BlockKernels {
     /* Factors the rows of `sides`, from the chain's ends to the middle; 0 or LIN_UNSTABLE. */
     int (*factor)(const BlockFactor *f, const BlockChain *a, int sides, BlockReport *report);
-    /* Factors the middle row, when both sides are done. */
+    /* Factors the middle row, after both sides. */
     int (*factor_middle)(const BlockFactor *f, const BlockChain *a, BlockReport *report);
-    /* z of the rows of the span in place of the right-hand sides (L5): count of them (1..BLOCK_RHS), each n*b values,
-     * one after the other. Rows farther from the middle are done. */
+    /* Computes z of the rows of the span in place of the right-hand sides (L5): count of them (1..BLOCK_RHS), each n*b
+     * values, one after the other. Rows farther from the middle are done. */
     void (*forward)(const BlockFactor *f, BlockSpan span, int count, double *x);
-    /* x of the middle row, both forward sweeps being done. */
+    /* Computes x of the middle row, after both forward sweeps. */
     void (*middle)(const BlockFactor *f, int count, double *x);
-    /* x of the rows of the span in place of z (L6). Rows nearer to the middle are done. */
+    /* Computes x of the rows of the span in place of z (L6). Rows nearer to the middle are done. */
     void (*back)(const BlockFactor *f, BlockSpan span, int count, double *x);
 } BlockKernels;
 
 extern const BlockKernels block6_kernels_generic, block6_kernels_avx2, block6_kernels_avx512;
 extern const BlockKernels block3_kernels_generic, block3_kernels_avx2, block3_kernels_avx512;
 
-/* One block row as the kernels and the pivoting see it. */
+/* One block row for the kernels and the pivoting. */
 typedef struct BlockRow {
     const double *diag;
     const double *before, *after; /* couplings with the neighbours eliminated before and after */
@@ -63,11 +63,11 @@ typedef struct BlockRow {
     double *front, *back;         /* of this row */
 } BlockRow;
 
-/* No neighbour: a coupling, or a V, of zeros; as long as a vector load may reach. */
+/* Zeros for a missing neighbour's coupling or V, as long as the reach of a vector load. */
 extern const double block_zero[];
 
-/* The row with full partial pivoting, for when the diagonal's pivots are too small: slower, the same result in exact
- * arithmetic. 0, or LIN_UNSTABLE if the pivot block is singular to working precision. */
+/* Factors a row with full partial pivoting, if the diagonal's pivots are too small: slower, with the same result in
+ * exact arithmetic. 0, or LIN_UNSTABLE if the pivot block is singular to working precision. */
 int block_row_pivoted(const BlockFactor *f, const BlockRow *row);
 
 /* The twisted block LU of a plain chain, used by the back ends `block` and `bordered`. */
@@ -78,13 +78,13 @@ typedef struct BlockSolver {
     BlockReport report;
 } BlockSolver;
 
-/* Scratch and factors for n blocks of b (3 or 6). `isa` picks the kernels: isa_best(), or a lesser one in tests.
- * Returns 0 if there is no memory (and nothing stays allocated). */
+/* Allocates scratch and factors for n blocks of b (3 or 6). `isa` selects the kernels: isa_best(), or a lesser one in
+ * tests. Returns 0 if there is no memory (and nothing stays allocated). */
 int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit, Team *team);
 void block_solver_release(BlockSolver *s);
-/* 0, or LIN_UNSTABLE. */
+/* Returns 0, or LIN_UNSTABLE. */
 int block_solver_factor(BlockSolver *s, const BlockChain *a);
-/* The factors that are made next are rounded to single precision (L20), or not; there are none until then. */
+/* Sets whether the next factors are rounded to single precision (L20); there are no factors until then. */
 void block_solver_round(BlockSolver *s, int single);
 /* x: count right-hand sides of n*b values, one after the other. */
 void block_solver_solve(BlockSolver *s, int count, double *x);

@@ -21,8 +21,8 @@ static void row_round(const BlockFactor *f, int i, const double *front, const do
     block_round(f->back, i, back);
 }
 
-/* The rows of one side, from the end of the chain to the middle. Rows that are to be rounded are worked on beside their
- * places. */
+/* The rows of one side, from the end of the chain to the middle. Rows that are to be rounded are computed in a
+ * buffer. */
 VEC_INLINE int side_factor(const BlockFactor *f, const BlockChain *a, int top, int single, BlockReport *report)
 {
     const int count = top ? f->middle : f->n - 1 - f->middle, step = top ? 1 : -1;
@@ -53,7 +53,7 @@ static int kernel_factor(const BlockFactor *f, const BlockChain *a, int sides, B
     return status;
 }
 
-/* S = D - L V of both neighbours: what comes from below is taken off first, the rest is a row like the others. */
+/* S = D - L V of both neighbours: that of the row below is subtracted first, the rest is a row like the others. */
 static int kernel_factor_middle(const BlockFactor *f, const BlockChain *a, BlockReport *report)
 {
     double diag[CELL + W] = {0}, front[2 * BLOCK_CELL], back[BLOCK_CELL];

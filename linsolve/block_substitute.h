@@ -1,11 +1,11 @@
 /* The sweeps of the solve, for block_lanes.h only: several right-hand sides share the loads of a block, and the two
- * sides of the chain go in turn, so that one's sums run while the other's wait. */
+ * sides of the chain alternate, so that the sums of one are computed while the other's are pending. */
 #ifndef HAWSER_LINSOLVE_BLOCK_SUBSTITUTE_H
 #define HAWSER_LINSOLVE_BLOCK_SUBSTITUTE_H
 
 #include "linsolve/block_eliminate.h"
 
-/* A x, in two chains, which halves the wait for the sums. */
+/* A x, in two independent sums, which halves the latency. */
 VEC_INLINE Vec times(const Block *a, Vec x)
 {
     Vec even = vec_scale(a->c[0], vec_splat(x, 0)), odd = vec_scale(a->c[1], vec_splat(x, 1));
@@ -36,8 +36,8 @@ VEC_INLINE Block factor_block(const double *array, int k, int single)
 /* Row i of right-hand side r, of z, of the solution. */
 VEC_INLINE double *row_at(const BlockFactor *f, double *x, int i, int r) { return x + (r * f->n + i) * B; }
 
-/* A row is read with what is beside it on the side that the sweep goes to: a load of what the row before has just
- * stored would wait for it. The last row of a sweep to the chain's end is read alone. */
+/* A row is read together with its neighbour in the direction of the sweep: a load of what the row before has just
+ * stored would have to wait. The last row of a sweep to the chain's end is read alone. */
 typedef enum Beside { BESIDE_NEXT, BESIDE_LAST, BESIDE_NONE } Beside;
 
 VEC_INLINE Vec row_load(const double *row, Beside beside)
@@ -45,7 +45,7 @@ VEC_INLINE Vec row_load(const double *row, Beside beside)
     return beside == BESIDE_NEXT ? vec_load(row) : beside == BESIDE_LAST ? vec_load_ending(row) : vec_load_short(row);
 }
 
-/* z, or x, of row i; zero where there is none. */
+/* z, or x, of row i; zero if there is no such row. */
 VEC_INLINE void rows_begin(const BlockFactor *f, int i, int count, double *x, Vec out[])
 {
     UNROLL for (int r = 0; r < count; ++r)

@@ -19,7 +19,7 @@ typedef struct Vec {
 } Vec;
 
 #define VEC_INLINE static inline __attribute__((always_inline, unused))
-/* Before a loop of fixed length: all of it is to be spelt out, so that arrays of Vec live in registers. */
+/* Put before a loop of fixed length: unrolls all of it, so that arrays of Vec are kept in registers. */
 #define UNROLL _Pragma("GCC unroll 8")
 
 /* All places of a part get its place k. */
@@ -45,7 +45,7 @@ VEC_INLINE void vec_store(double *p, Vec v)
     UNROLL for (int i = 0; i < PARTS; ++i) memcpy(p + i * PART, &v.p[i], sizeof(Part));
 }
 
-/* Numbers in single precision; they are worked on in double. */
+/* Loads numbers in single precision; they are processed in double. */
 VEC_INLINE Vec vec_load_single(const float *p)
 {
     Vec v;
@@ -70,7 +70,7 @@ VEC_INLINE Vec vec_load_short(const double *p)
     return v;
 }
 
-/* The same, reading nothing behind the first B places, but what stands before them. */
+/* The same, without reading behind the first B places; it reads before them instead. */
 VEC_INLINE Vec vec_load_ending(const double *p)
 {
     enum { SHORT = PARTS * PART - B };
@@ -126,7 +126,7 @@ VEC_INLINE Vec vec_div(Vec a, Vec b)
     return a;
 }
 
-/* a times one number in all places, added to or taken off t. */
+/* a times one number in all places; added to t, or subtracted. */
 VEC_INLINE Vec vec_scale(Vec a, Part s)
 {
     UNROLL for (int i = 0; i < PARTS; ++i) a.p[i] *= s;
@@ -162,7 +162,7 @@ VEC_INLINE Vec vec_minus_number(Vec t, Vec a, double s)
     return t;
 }
 
-/* All places get v's place k, which is a constant once the loops are spelt out. */
+/* All places get v's place k, which is a constant after unrolling. */
 VEC_INLINE Part vec_splat(Vec v, int k)
 {
     const Part part = v.p[k / PART];
@@ -213,7 +213,7 @@ VEC_INLINE double vec_sum(Vec v)
     return sum;
 }
 
-/* The largest of the first B places; places that are not numbers are passed over. */
+/* The largest of the first B places; NaNs are ignored. */
 VEC_INLINE double vec_max(Vec v)
 {
     double most = v.p[0][0];

@@ -24,7 +24,7 @@ typedef struct Leaves {
     LeafFactor *factor; /* [leaves] */
 } Leaves;
 
-/* Sizes from the pattern of a; 0 if there is no memory. */
+/* Computes sizes from the pattern of a; 0 if there is no memory. */
 static int leaves_init(Leaves *s, const NewtonMatrix *a)
 {
     *s = (Leaves){.b = a->chain.b, .leaves = a->leaves};
@@ -63,7 +63,7 @@ static double largest(int count, const double *a)
     return most;
 }
 
-/* E^-1, column by column; LIN_UNSTABLE if a pivot is rounding against the entries of E. */
+/* E^-1, column by column; LIN_UNSTABLE if a pivot is rounding relative to the entries of E. */
 static int leaf_invert(LeafFactor *f, const double *diag)
 {
     int pivot[LEAF_MAX];
@@ -111,9 +111,9 @@ static int leaf_condense(LeafFactor *f, const Leaf *leaf, BlockChain *chain, dou
     return 0;
 }
 
-/* Inverts the leaves and takes them off `chain`, which holds the values of a->chain. 0, or LIN_UNSTABLE if a leaf is
+/* Inverts the leaves and subtracts them from `chain`, which has the values of a->chain. 0, or LIN_UNSTABLE if a leaf is
  * singular to working precision or its elimination makes a chain block grow beyond growth_limit; *growth rises to the
- * largest growth seen. */
+ * largest growth found. */
 static int leaves_condense(Leaves *s, const NewtonMatrix *a, BlockChain *chain, double growth_limit, double *growth)
 {
     for (int l = 0; l < s->leaves; ++l) {
@@ -123,8 +123,8 @@ static int leaves_condense(Leaves *s, const NewtonMatrix *a, BlockChain *chain, 
     return 0;
 }
 
-/* Right-hand sides before and after the chain's solve; chain [n*b], leaf [unknowns]. Forward turns leaf into E^-1 leaf
- * and takes it off the chain; back takes the chain's solution off the leaves. */
+/* Treats right-hand sides before and after the chain's solve; chain [n*b], leaf [unknowns]. Forward turns leaf into
+ * E^-1 leaf and subtracts it from the chain; back subtracts the chain's solution from the leaves. */
 static void leaves_forward(const Leaves *s, double *chain, double *leaf)
 {
     for (int l = 0; l < s->leaves; ++l) {
@@ -242,7 +242,7 @@ static int inner_factor(BorderedSolver *s, const NewtonMatrix *a)
     return status;
 }
 
-/* P and the LU of S; LIN_UNSTABLE if S is singular to working precision: the whole need not be. */
+/* P and the LU of S; LIN_UNSTABLE if S is singular to working precision: the whole matrix need not be. */
 static int border_factor(BorderedSolver *s, const NewtonMatrix *a)
 {
     const int w = s->w, nb = s->nb, nl = s->leaves.unknowns;

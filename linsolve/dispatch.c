@@ -13,15 +13,15 @@ struct LinSolver {
     void *self;
     LinOptions options; /* with the kind that auto resolved to */
     int size;
-    int chain_n, chain_b;    /* of the NewtonMatrix, to catch misuse */
+    int chain_n, chain_b;    /* of the NewtonMatrix, to detect misuse */
     int groups, *group_at;   /* as in LinMatrix */
-    SparseAssembly assembly; /* where the back end wants compressed columns */
-    int *leaf_at;            /* there: [2 leaves] at and touches of every leaf when the pattern was analysed */
-    Team *team;              /* own team, if the caller lent none */
-    LinSolver *backup;       /* KLU, made when the back end first gives up on a matrix */
-    int use_backup;          /* the present factors are the backup's */
-    int rough, was_rough;    /* the next factors, the present ones may be rounded: linsolver_rough */
-    int ready;               /* the last factorisation succeeded */
+    SparseAssembly assembly; /* if the back end needs compressed columns */
+    int *leaf_at;            /* in that case [2 leaves]: at and touches of every leaf when the pattern was analysed */
+    Team *team;              /* own team, if the caller provided none */
+    LinSolver *backup;       /* KLU, created when the back end first fails for a matrix */
+    int use_backup;          /* 1: the present factors belong to the backup */
+    int rough, was_rough;    /* 1: the next factors, the present ones may be rounded: linsolver_rough */
+    int ready;               /* 1: the last factorisation succeeded */
     LinStats stats;
 };
 
@@ -38,7 +38,7 @@ enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 const char *linsolver_kind_name(LinKind kind) { return kinds[kind].name; }
 
-/* What auto takes for a chain and what surrounds it, said in `why` (128 characters). */
+/* Kind that auto selects for a chain and its surroundings, with the reason in `why` (128 characters). */
 static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
 {
     if (a->extras > 0) {
@@ -53,7 +53,7 @@ static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
     return LIN_BLOCK;
 }
 
-/* Resolves auto and refuses what a kind cannot hold; 0 with err set if so. */
+/* Resolves auto and refuses matrices that a kind cannot hold; 0 with err set if so. */
 static int kind_settle(LinSolver *s, const NewtonMatrix *m, hawser_error *err)
 {
     const LinKind asked = s->options.kind;
@@ -77,7 +77,8 @@ static int kind_settle(LinSolver *s, const NewtonMatrix *m, hawser_error *err)
     return 0;
 }
 
-/* Whether leaves have moved since the pattern was analysed, and where they are now; 0 if there is no memory. */
+/* Checks whether leaves have moved since the pattern was analysed, and stores their present places; 0 if there is no
+ * memory. */
 static int places_changed(const LinSolver *s, const NewtonMatrix *a)
 {
     int changed = 0;
@@ -124,7 +125,7 @@ static int solver_analyse(LinSolver *s, LinMatrix *a)
     return s->self != NULL;
 }
 
-/* A sparse back end starts again with the pattern that the leaves make where they are now; 0 if there is no memory. */
+/* Restarts a sparse back end with the pattern of the leaves' present places; 0 if there is no memory. */
 static int solver_analyse_again(LinSolver *s, const NewtonMatrix *a)
 {
     LinMatrix m = {.newton = a};
@@ -173,7 +174,7 @@ LinSolver *linsolver_free(LinSolver *s)
     return NULL;
 }
 
-/* Factors with KLU what the back end gave up on. Its analysis is made once, and only if it is ever needed. */
+/* Factors a matrix with KLU after the back end has failed. The analysis is made once, when it is first needed. */
 static int backup_factor(LinSolver *s, const NewtonMatrix *a)
 {
     ++s->stats.fallbacks;
@@ -262,7 +263,7 @@ void linsolver_stats(const LinSolver *s, LinStats *stats)
     stats->nonzeros = backup.nonzeros;
 }
 
-/* The pattern of where leaves were at the last factorisation is that of where they are in m. */
+/* Makes the pattern of the leaves' places at the last factorisation that of their places in m. */
 static int pattern_renew(LinSolver *s, const NewtonMatrix *m)
 {
     if (!s->backend->sparse) return 1;
@@ -271,7 +272,7 @@ static int pattern_renew(LinSolver *s, const NewtonMatrix *m)
     return 1;
 }
 
-/* A back end that does without a memory factors the same matrix once more. */
+/* A back end without a memory factors the same matrix again. */
 static void factors_renew(Checkpoint *c, LinSolver *s, const LinMatrix *m)
 {
     if (c->status || !c->reading || s->backend->checkpoint || !s->ready || s->use_backup) return;
@@ -288,7 +289,7 @@ void lin_stats_checkpoint(Checkpoint *c, LinStats *stats)
                                     stats->pivoted, stats->nonzeros});
 }
 
-/* The solver for what the back end gave up on, if it has ever been needed. */
+/* Saves or loads the solver for matrices for which the back end failed, if it was ever needed. */
 static void backup_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a)
 {
     int there = s->backup != NULL;
@@ -342,7 +343,7 @@ static void run_table_free(RunTable *t)
     free(t->run);
 }
 
-/* Insertion sort by row; the pieces come nearly in order. */
+/* Insertion sort by row; the pieces are nearly in order. */
 static void runs_sort(Run *first, const Run *end)
 {
     for (Run *r = first; r < end; ++r) {

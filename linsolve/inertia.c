@@ -6,8 +6,8 @@
 
 enum { B_MAX = 6 };
 
-/* S of one block row, its lower triangle becoming L (unit diagonal) and d: S = L diag(d) L^T. Returns how many d are
- * negative. A pivot that is nothing but rounding counts as positive: what has no stiffness is not unstable. */
+/* Factors S of one block row: its lower triangle becomes L (unit diagonal) and d: S = L diag(d) L^T. Returns the number
+ * of negative d. A pivot that is only rounding counts as positive: a direction without stiffness is not unstable. */
 static inline int pivots(int b, double s[B_MAX][B_MAX], double *d)
 {
     int negative = 0;
@@ -46,7 +46,7 @@ static inline void pass_on(int b, double s[B_MAX][B_MAX], const double *d, doubl
     }
 }
 
-/* b is a->b: a constant where it is called. */
+/* b is a->b: a constant at each call. */
 static inline int negative_of(const BlockChain *a, int b)
 {
     const size_t block = (size_t)(b * b);

@@ -1,12 +1,12 @@
-/* How many directions a symmetric block tridiagonal matrix is negative in: for the stability of equilibria.
+/* Counts the directions in which a symmetric block tridiagonal matrix is negative: for the stability of equilibria.
  * docs/model.md, "Rods" (RD24), (RD16). */
 #ifndef HAWSER_LINSOLVE_INERTIA_H
 #define HAWSER_LINSOLVE_INERTIA_H
 
 #include "core/block_chain.h"
 
-/* The number of negative eigenvalues of the symmetric part (a + a^T)/2: by Sylvester's law of inertia that of negative
- * pivots in its factors L D L^T, which are taken without interchanges and not kept. b <= 6. Costs about a third of a
+/* Number of negative eigenvalues of the symmetric part (a + a^T)/2: by Sylvester's law of inertia that of negative
+ * pivots in its factors L D L^T, which are computed without interchanges and not kept. b <= 6. Costs about a third of a
  * block LU and no memory. */
 int block_chain_negative(const BlockChain *a);
 

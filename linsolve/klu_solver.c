@@ -1,5 +1,5 @@
-/* KLU for any pattern: one symbolic analysis, refactorisation while the pivots stay good, a full factorisation when
- * they do not. docs/model.md, "Linear solvers", (L12)-(L14). */
+/* KLU for any pattern: one symbolic analysis, refactorisation while the pivots remain good, otherwise a full
+ * factorisation. docs/model.md, "Linear solvers", (L12)-(L14). */
 #include <float.h>
 #include <klu.h>
 #include <metis.h>
@@ -15,12 +15,12 @@ typedef struct KluSolver {
     klu_common common;
     klu_symbolic *symbolic;
     klu_numeric *numeric; /* NULL before the first factorisation and after a failed one */
-    int decided;          /* the ordering is chosen */
+    int decided;          /* 1: the ordering is chosen */
     Candidate candidate;
     double growth_limit;
     double rcond; /* ratio of U's diagonal in the last full factorisation */
-    double *full; /* the values that were factored then, which have chosen the pivots; owned */
-    int again;    /* other values have been factored since, with these pivots */
+    double *full; /* values of that factorisation, which determined the pivots; owned */
+    int again;    /* 1: other values have been factored since, with these pivots */
     LinStats stats;
 } KluSolver;
 
@@ -40,8 +40,8 @@ static void *klu_drop(KluSolver *s)
     return NULL;
 }
 
-/* Analysis with a permutation of our own. Block triangular form is off: it would permute columns away from the diagonal
- * and undo the ordering, and a Newton matrix is irreducible anyway. */
+/* Analysis with a given permutation. Block triangular form is off: it would permute columns away from the diagonal and
+ * undo the ordering, and a Newton matrix is irreducible anyway. */
 static klu_symbolic *analyse_given(KluSolver *s, const LinMatrix *a, Candidate c)
 {
     const SparseMatrix *const m = a->sparse;
@@ -58,7 +58,7 @@ static klu_symbolic *analyse_given(KluSolver *s, const LinMatrix *a, Candidate c
     return symbolic;
 }
 
-/* NULL when memory ran out or the pattern is unfit for the ordering. */
+/* Returns NULL when memory ran out or the pattern does not suit the ordering. */
 static klu_symbolic *analyse(KluSolver *s, const LinMatrix *a, Candidate c)
 {
     const SparseMatrix *const m = a->sparse;
@@ -88,7 +88,7 @@ static int values_are_finite(const SparseMatrix *m)
 {
     enum { SUMS = 8 };
     double zero[SUMS] = {
-        0}; /* become NaN with the first value that is not finite; several do not wait for each other */
+        0}; /* become NaN with the first value that is not finite; several, so that none waits for another */
     const int count = m->p[m->n];
     for (int k = 0; k + SUMS <= count; k += SUMS) {
         for (int j = 0; j < SUMS; ++j) zero[j] += 0 * m->x[k + j];
@@ -98,7 +98,7 @@ static int values_are_finite(const SparseMatrix *m)
     return zero[0] == 0;
 }
 
-/* 0: good; > 0: singular, by the ratio of U's diagonal (L13); < 0: no memory. Looks at the present factors. */
+/* Returns 0: good; > 0: singular, by the ratio of U's diagonal (L13); < 0: no memory. Checks the present factors. */
 static int grade(KluSolver *s)
 {
     if (!s->numeric) return s->common.status < 0 && s->common.status != KLU_INVALID ? -1 : 1;
@@ -107,7 +107,8 @@ static int grade(KluSolver *s)
     return s->common.rcond > 4 * DBL_EPSILON ? 0 : 1;
 }
 
-/* The growth of the present factors, measured; it reads the whole matrix, a third of a refactorisation's time. */
+/* Measures the growth of the present factors; it reads the whole matrix, which takes a third of a refactorisation's
+ * time. */
 static void measure_growth(KluSolver *s, const SparseMatrix *m)
 {
     const int ok = klu_rgrowth(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common);
@@ -134,8 +135,8 @@ static int factor_full(KluSolver *s, const SparseMatrix *m)
     return 0;
 }
 
-/* Whether the old pivots serve the new values. Rows are scaled to 1, so factors grow only over a small pivot: while the
- * smallest pivot stays near what the full factorisation found, there is nothing to measure (L14). */
+/* Checks whether the old pivots are good for the new values. Rows are scaled to 1, so factors grow only over a small
+ * pivot: while the smallest pivot stays near that of the full factorisation, the growth need not be measured (L14). */
 static int refactor_is_good(KluSolver *s, const SparseMatrix *m)
 {
     if (!klu_refactor(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common) || grade(s)) return 0;
@@ -207,7 +208,7 @@ static void klu_stats(const void *self, LinStats *stats)
     stats->growth = s->stats.growth;
 }
 
-/* The pivots of the last full factorisation, and with these the factors of now. */
+/* Restores the pivots of the last full factorisation, and with these the present factors. */
 static void factors_again(Checkpoint *c, KluSolver *s, const LinMatrix *a, int ready)
 {
     const SparseMatrix now = *a->sparse;
@@ -255,7 +256,7 @@ const LinBackend klu_backend = {.sparse = 1,
                                 .checkpoint = klu_checkpoint,
                                 .stats = klu_stats};
 
-/* The graph of the groups: METIS wants it symmetric, without loops. */
+/* The graph of the groups: METIS requires it symmetric, without loops. */
 typedef struct Graph {
     idx_t groups;
     idx_t *start, *neighbour, *weight; /* [groups+2], [edges], [groups] */
@@ -287,7 +288,8 @@ static int graph_alloc(Graph *g, const LinMatrix *a)
     return g->start && g->neighbour && g->weight && g->group_of && g->seen;
 }
 
-/* Visits every coupled pair of groups once from its column's side; counts (neighbour == NULL) or appends both ways. */
+/* Visits every coupled pair of groups once from its column's side; counts (neighbour == NULL) or appends it in both
+ * directions. */
 static void graph_visit(Graph *g, const LinMatrix *a, idx_t *next, idx_t *neighbour)
 {
     const SparseMatrix *const s = a->sparse;
@@ -304,7 +306,7 @@ static void graph_visit(Graph *g, const LinMatrix *a, idx_t *next, idx_t *neighb
     }
 }
 
-/* A pair coupled both ways was appended twice: keeps the first of each. */
+/* A pair coupled in both directions was appended twice: keeps the first of each. */
 static void graph_compact(Graph *g)
 {
     idx_t to = 0, from = 0;
@@ -333,7 +335,7 @@ static void graph_fill(Graph *g, const LinMatrix *a)
     graph_compact(g);
 }
 
-/* perm over unknowns from the order of the groups. */
+/* Expands the order of the groups to perm over unknowns. */
 static void spell_out(const LinMatrix *a, const idx_t *order, int *perm)
 {
     int at = 0;
@@ -343,7 +345,7 @@ static void spell_out(const LinMatrix *a, const idx_t *order, int *perm)
     }
 }
 
-/* Runs METIS; tiny graphs and graphs without edges stay as they are (METIS 5.1 does not take them). */
+/* Runs METIS; tiny graphs and graphs without edges stay as they are (METIS 5.1 does not accept them). */
 static int dissect(Graph *g, const LinMatrix *a, int *perm)
 {
     if (g->groups < 3 || g->start[g->groups] == 0) {

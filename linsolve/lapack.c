@@ -1,5 +1,5 @@
-/* LAPACK's eigenvalues of small matrices. The library is loaded when modes are computed: no other run needs it, and
- * loading it starts a pool of threads where OpenBLAS stands behind it, which spin on the second core. */
+/* LAPACK, loaded when a solver needs it: runs of plain chains never do, and with OpenBLAS loading it starts a pool of
+ * threads, which spin on the second core. */
 #include <dlfcn.h>
 #include <lapacke.h>
 #include <stdlib.h>
@@ -15,12 +15,12 @@ typedef struct Lapack {
     __typeof__(LAPACKE_dggev) *dggev;
 } Lapack;
 
-/* What it takes to load the library, about, bytes. */
+/* Memory needed to load the library, roughly, bytes. */
 enum { LAPACK_ROOM = 1 << 20 };
 
 static void lapack_unload(Lapack *lapack);
 
-/* The function `name` into the pointer at `to`; 0 if the library has none. */
+/* Stores the address of the function `name` at `to`; 0 if the library does not have it. */
 static int function_find(void *library, const char *name, void *to)
 {
     void *const found = dlsym(library, name);
@@ -28,11 +28,10 @@ static int function_find(void *library, const char *name, void *to)
     return found != NULL;
 }
 
-/* Loads the library, for which there is memory; 0 if it is not there. */
+/* Loads the library if there is memory; 0 if it is not installed. */
 static int lapack_load(Lapack *lapack)
 {
-    /* it stays once it is there: to let go of it and to load it again takes a thousand times as long as what is asked
-     */
+    /* it stays loaded: unloading and loading it again takes a thousand times as long as the computation */
     *lapack = (Lapack){.library = dlopen("liblapacke.so.3", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)};
     if (!lapack->library) return 0;
     int ok = function_find(lapack->library, "LAPACKE_dsygv", &lapack->dsygv);
@@ -41,14 +40,14 @@ static int lapack_load(Lapack *lapack)
     return ok;
 }
 
-/* Lets go of it; may be called on a zeroed struct. */
+/* Releases it; may be called on a zeroed struct. */
 static void lapack_unload(Lapack *lapack)
 {
     if (lapack->library) dlclose(lapack->library);
     *lapack = (Lapack){0};
 }
 
-/* DSYGV: vectors come in s. */
+/* DSYGV returns the vectors in s. */
 static lapack_int symmetric_pair(const Lapack *lapack, int n, double *s, double *t, double *mu, double *imaginary,
                                  double *z)
 {
@@ -58,7 +57,7 @@ static lapack_int symmetric_pair(const Lapack *lapack, int n, double *s, double 
     return info;
 }
 
-/* DGGEV: eigenvalues are (mu + i imaginary)/beta; an infinite one stays infinite. */
+/* DGGEV: eigenvalues are (mu + i imaginary)/beta; an infinite one remains infinite. */
 static lapack_int general_pair(const Lapack *lapack, int n, double *s, double *t, double *mu, double *imaginary,
                                double *z, double *beta)
 {
@@ -76,7 +75,9 @@ hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu
                           hawser_error *err)
 {
     Lapack lapack;
-    if (!memory_room(LAPACK_ROOM)) return error_memory(err); /* Fortran's library ends the program without */
+    if (!memory_room(LAPACK_ROOM))
+        return error_memory(err); /* Fortran's library ends the program if it has no
+                                   * memory */
     if (!lapack_load(&lapack)) {
         return error_set(err, HAWSER_ERR_RUN, "modes need LAPACK (liblapacke.so.3), which was not found");
     }

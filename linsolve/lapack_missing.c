@@ -1,4 +1,4 @@
-/* What a build without LAPACK says where it would be needed. */
+/* Error in place of LAPACK's functions in a build without LAPACK. */
 #include "core/error.h"
 #include "linsolve/small.h"
 

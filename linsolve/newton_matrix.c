@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-/* Pieces of a leaf: its diagonal, and for each of two chain blocks the coupling there and back. */
+/* Pieces of a leaf: its diagonal, and for each of two chain blocks the couplings in both directions. */
 enum { LEAF_PIECES = 5, BORDER_PIECES = 3 };
 
 int newton_inner(const NewtonMatrix *a)
@@ -19,7 +19,7 @@ int newton_pieces(const NewtonMatrix *a)
     return 3 * a->chain.n + a->extras + LEAF_PIECES * a->leaves + (a->border ? BORDER_PIECES : 0);
 }
 
-/* Block (i, i - 1 + d) of the chain; nothing where the first and last rows have no neighbour. */
+/* Block (i, i - 1 + d) of the chain; empty where the first and last rows have no neighbour. */
 static Piece chain_piece(const BlockChain *c, int i, int d)
 {
     const double *const blocks[3] = {c->lower, c->diag, c->upper};

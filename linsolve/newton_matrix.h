@@ -1,5 +1,5 @@
-/* The Newton matrix as the solvers see it: a block chain, and around it whatever a scene adds. A plain chain leaves the
- * rest zero and pays nothing for it. The unknowns are numbered chain (n b), leaves in their order, border. */
+/* The Newton matrix as the solvers see it: a block chain with the scene's further parts around it. A plain chain leaves
+ * the rest zero, at no cost. The unknowns are numbered chain (n b), leaves in their order, border. */
 #ifndef HAWSER_LINSOLVE_NEWTON_MATRIX_H
 #define HAWSER_LINSOLVE_NEWTON_MATRIX_H
 
@@ -13,8 +13,8 @@ typedef struct ExtraBlock {
 
 enum { LEAF_MAX = 7 };
 
-/* A small body that touches at most two neighbouring blocks of the chain: a spinning roller, a roller's mount. Where it
- * is (at, touches) may change from one factorisation to the next; its size may not. */
+/* A small body that touches at most two neighbouring blocks of the chain: a spinning roller, a roller's mount. Its
+ * place (at, touches) may change from one factorisation to the next; its size may not. */
 typedef struct Leaf {
     int size;              /* unknowns, 1..LEAF_MAX */
     int at;                /* the first chain block it touches */
@@ -31,7 +31,7 @@ typedef struct NewtonMatrix {
     const unsigned char *live; /* [extras] 0: a block of zeros; NULL: not known */
     int leaves;
     const Leaf *leaf;     /* [leaves] */
-    int border;           /* w unknowns that couple with anything: a reel drum, shared bodies */
+    int border;           /* w unknowns that may couple with any other: a reel drum, shared bodies */
     const double *right;  /* [m*w], m = newton_inner(): rows of chain and leaves, columns of the border */
     const double *bottom; /* [w*m]: rows of the border, columns of chain and leaves */
     const double *corner; /* [w*w] */
@@ -41,8 +41,8 @@ typedef struct NewtonMatrix {
 int newton_inner(const NewtonMatrix *a);
 int newton_size(const NewtonMatrix *a);
 
-/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern only.
- */
+/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern
+ * only. */
 typedef struct Piece {
     int row, col, rows, cols; /* place in the whole matrix */
     const double *value;      /* [rows*cols], column-major */
@@ -52,7 +52,7 @@ int newton_pieces(const NewtonMatrix *a);
 Piece newton_piece(const NewtonMatrix *a, int k);
 
 /* Groups of consecutive unknowns that belong together: chain blocks, leaves, border. Fills at[groups + 1] with their
- * first unknowns (NULL: only counts) and returns how many there are. */
+ * first unknowns (NULL: only counts) and returns their number. */
 int newton_groups(const NewtonMatrix *a, int *at);
 
 /* ------------------------------------------------------------------------------------------ compressed columns */
@@ -65,7 +65,7 @@ typedef struct SparseMatrix {
     double *x; /* [p[n]]: values */
 } SparseMatrix;
 
-/* A NewtonMatrix in compressed columns: the pattern is built once, the values are refreshed in place. */
+/* A NewtonMatrix in compressed columns: the pattern is built once, the values are updated in place. */
 typedef struct SparseAssembly {
     SparseMatrix a;
     int pieces;
@@ -75,7 +75,7 @@ typedef struct SparseAssembly {
 /* Builds pattern and offsets; 0 if there is no memory (and nothing stays allocated). */
 int sparse_assembly_new(const NewtonMatrix *m, SparseAssembly *out);
 void sparse_assembly_free(SparseAssembly *s);
-/* s->a.x from the values of m, which has the pattern that s was built for. */
+/* Updates s->a.x from the values of m, which has the pattern for which s was built. */
 void sparse_assembly_refresh(SparseAssembly *s, const NewtonMatrix *m);
 
 #endif

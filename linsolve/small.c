@@ -23,7 +23,7 @@ static void rows_swap(int n, double *a, int i, int j)
     }
 }
 
-/* The row from k on whose entry in column k is largest. */
+/* Row from k on with the largest entry in column k. */
 static int pivot_row(int n, const double *a, int k)
 {
     int best = k;

@@ -1,4 +1,4 @@
-/* The kernels of block_sparse.h, in the widest vectors of each instruction set. */
+/* The kernels of linsolve/block.h, in the widest vectors of each instruction set. */
 #define BLOCK_B       6
 #define BLOCK_W       8
 #define PART6_generic 2
@@ -20,8 +20,7 @@ VEC_INLINE Block block_times(const Block *a, const double *b)
     return t;
 }
 
-/* The pivot block of step k, and its inverse in its place (L16): by its diagonal, or with pivoting where that is too
- * small (L7). */
+/* Inverts the pivot block of step k in place (L16): by its diagonal, or with pivoting if that is too small (L7). */
 VEC_INLINE int pivot_invert(const BlockSparse *s, int k, BlockReport *report)
 {
     double *const diag = s->value + k * CELL, kept[CELL + W], v[CELL], x[2 * CELL + W];

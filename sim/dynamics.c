@@ -15,15 +15,15 @@ static double weight_share(const Weight *w, Vec3 p, double *slope)
     return step_cubic(x, -w->blend / 2, 0, w->blend / 2, 1, slope);
 }
 
-/* What the lead-in does to a segment that has left its line, per mass, m/s2. */
+/* Acceleration with which the lead-in holds a segment that is off its line, m/s2. */
 static Vec3 lead_in_hold(const Weight *w, const Kinematics *kin, int i)
 {
     const Vec3 off = v3_reject(v3_sub(v3_load(kin->p, i), w->origin), w->direction);
     return v3_axpy(v3_scale(-w->hold, off), -w->hold_damping, v3_reject(v3_load(kin->v, i), w->direction));
 }
 
-/* m from the lead-in's line, which would hold what is there with a thousand times its weight: the tail has been past
- * the start. */
+/* m from the lead-in's line. A tail farther away is elsewhere on purpose; the lead-in would pull it with a thousand
+ * times its weight. */
 static const double ELSEWHERE = 1;
 
 int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction, int held,
@@ -49,8 +49,8 @@ int weight_behind(const Scene *scene, const double *const p[3], double past)
     return w->lead_in ? weight_first_past(scene->chain.n, 3, p, origin, direction, w->hold > 0, past) : 0;
 }
 
-/* Writes (does not add) the weight of segments from..to-1 into loads, with what the lead-in does to those of them that
- * are among the first `behind`. Returns what it does to the motion. */
+/* Writes (does not add) the weight of segments from..to-1 into loads, with the lead-in's force on those among the first
+ * `behind`. Returns the power and force of the lead-in. */
 static Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, int behind, Loads *loads)
 {
     const Weight *const w = &scene->weight;
@@ -61,7 +61,8 @@ static Push weight_loads(const Scene *scene, const Kinematics *kin, int from, in
             loads->m[c][i] = 0;
         }
     }
-    if (w->weightless > 0 && to == scene->chain.n) { /* it moves with the last segment, but hangs elsewhere */
+    if (w->weightless > 0 && to == scene->chain.n) { /* the drum's mass moves with the last segment but its weight does
+                                                      * not hang there */
         v3_gather(loads->f, to - 1, v3_scale(-w->weightless, w->gravity));
     }
     Push by = {0};
@@ -94,10 +95,11 @@ void weight_blocks(const Scene *scene, const Kinematics *kin, BlockChain *k, Blo
     }
 }
 
-/* Segments from which joints with the contacts of rollers pay on two threads; HALVES_LONG is that of lighter loops. */
+/* Least number of segments for which two threads pay for joints with roller contacts; HALVES_LONG holds for lighter
+ * loops. */
 enum { MIDDLE_CHAIN = 500 };
 
-/* The rooms of a scene that are there and have OP, as `room`. */
+/* Loops over the equipment kinds that are present in a scene and have OP, as `room`. */
 #define EACH_ROOM(room, scene, op)                                                                                     \
     for (const Room *room = (scene)->room; room < (scene)->room + (scene)->n_rooms; ++room)                            \
         if (room->present && room->kind->op)
@@ -134,8 +136,8 @@ void workspace_free(Workspace *ws)
 
 int stop_wanted(const StopCheck *check) { return check->ask && check->ask(check->user); }
 
-/* Slips of joints that are there before and after: one number more if a segment has joined behind the tail, whose joint
- * has not bent yet. */
+/* Copies the slips of the joints that exist before and after. If a segment has joined behind the tail there is one
+ * joint more, which has not bent yet. */
 static void slips_carry(const Kinematics *old, const Kinematics *now, int joints, int joined)
 {
     for (int k = 0; k < 2 * SLIDERS_MAX; ++k) {
@@ -193,7 +195,8 @@ void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const doub
 
 /* --------------------------------------------------------------------------------------------------------- rates */
 
-/* Rest is looked for with what leads the ends standing still: its joints' damping would be taken for a load (E1). */
+/* While equilibrium is sought, the ghosts that lead the ends stand still: the damping of their joints would count as a
+ * load (E1). */
 static void ghosts_stand(const Chain *chain, Kinematics *kin)
 {
     for (int i = -1; i <= chain->n; i += chain->n + 1) {
@@ -202,14 +205,14 @@ static void ghosts_stand(const Chain *chain, Kinematics *kin)
     }
 }
 
-/* One evaluation, as both threads see it: the corridor of one step in three strides; each half needs what both halves
- * did in the stride before. */
+/* One evaluation, shared by both threads: the corridor of one step in three stages; each half needs the results of both
+ * halves of the stage before. */
 typedef struct Evaluation {
     Moment m;
     const double *y;
     double *ydot;
     BlockChain *k, *d;
-    int behind; /* segments that the lead-in has */
+    int behind; /* segments behind the route's start */
 } Evaluation;
 
 static int share_from(const Workspace *ws, int rank) { return rank == 0 ? 0 : ws->middle; }
@@ -222,7 +225,7 @@ static int behind_of(const Scene *scene, const double *y)
     return weight_behind(scene, p, scene->weight.blend / 2);
 }
 
-/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
+/* Kinematics and weight of one half; clears the second set of loads. */
 static void kinematics_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
@@ -237,7 +240,7 @@ static void kinematics_job(void *arg, int rank)
     }
 }
 
-/* Half of the joints, and of what acts on the cable; time is told from the first contact on. */
+/* Joints and equipment loads of one half; the time of contacts is measured from the first contact on. */
 static void loads_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
@@ -264,14 +267,14 @@ static void motion_job(void *arg, int rank)
                           share_to(ws, rank, chain->n), e->ydot);
 }
 
-/* Whether joints and contacts gain more from a second thread than it takes to wake it and to send it the state. */
+/* Checks whether joints and contacts gain more from a second thread than it costs to wake it and pass it the state. */
 static int loads_heavy(const Scene *scene)
 {
     EACH_ROOM(room, scene, heavy) return 1;
     return scene->chain.n >= MIDDLE_CHAIN;
 }
 
-/* Jobs of a few nanoseconds a segment pay on two threads. */
+/* Checks whether the chain is so long that jobs of a few nanoseconds per segment pay on two threads. */
 static int is_long(const Scene *scene) { return scene->chain.n >= HALVES_LONG; }
 
 void dynamics_pose(const Scene *scene, Workspace *ws, double t, const double *y, double friction)
@@ -310,7 +313,7 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
 
 /* --------------------------------------------------------------------------------------------------------- blocks */
 
-/* Bushings of one half, without the lane of joints at the middle, which touches segments of both. */
+/* Bushings of one half, without the lane of joints at the middle, which involves segments of both halves. */
 static void blocks_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
@@ -333,7 +336,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
     EACH_ROOM(room, scene, begin) room->kind->begin(room, &e.m);
     block_chain_zero(k);
     block_chain_zero(d);
-    /* adds up in the order that does not depend on the number of threads: two terms of a sum commute */
+    /* the order of addition does not depend on the number of threads: a sum of two terms commutes */
     const int after = ws->middle + LANES < chain->n + 1 ? ws->middle + LANES : chain->n + 1;
     halves_run(ws->team, 1, blocks_job, &e);
     bushing_blocks(chain, &ws->kin, ws->middle, after, k, d);
@@ -345,7 +348,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
 
 /* ----------------------------------------------------------------------------------------------------- to look at */
 
-/* The joint's force is on the body before it, minus that on the one after. */
+/* The joint's force acts on the body before it, its opposite on the body after it. */
 Push dynamics_ghost_push(const Moment *m, int joint)
 {
     const Kinematics *const kin = &m->ws->kin;
@@ -398,7 +401,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
 {
     const Moment m = {scene, ws, t, 1};
     EACH_ROOM(room, scene, follow) room->kind->follow(room, &m, y, always);
-    /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */
+    /* the last evaluation is closer to y than the reserve of the reach: it is good enough for this check */
     int due = 0;
     EACH_ROOM(room, scene, stale) due = due || always || room->kind->stale(room, &m);
     if (!due) return HAWSER_OK;

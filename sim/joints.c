@@ -6,15 +6,15 @@
 
 #include "core/error.h"
 
-/* The rigidity of the table's piece that ends in row i, N m2; the first begins in the origin. */
+/* Rigidity of the table's piece that ends in row i, N m2; the first piece begins in the origin. */
 static double piece_rigidity(const BendingTable *t, int i)
 {
     const double moment = i > 0 ? t->moment[i - 1] : 0, curvature = i > 0 ? t->curvature[i - 1] : 0;
     return (t->moment[i] - moment) / (t->curvature[i] - curvature);
 }
 
-/* A cable without a table is straight; unlike rigidities about y and z count with their geometric mean, because the
- * sliders are the same in all directions. */
+/* A cable without a table has a straight curve. Different rigidities about y and z enter by their geometric mean,
+ * because the sliders are the same in all directions. */
 LoadingCurve loading_curve_of(const CableDef *cable, double half)
 {
     const BendingTable *const t = &cable->bending;
@@ -27,10 +27,10 @@ LoadingCurve loading_curve_of(const CableDef *cable, double half)
     return curve;
 }
 
-/* Moment of corner i, or infinite behind the last. */
+/* Moment of corner i; infinite behind the last corner. */
 static double corner_at(const LoadingCurve *curve, int i) { return i < curve->corners ? curve->moment[i] : INFINITY; }
 
-/* Walks up both curves by the moment; where one is level the joint is, and nothing comes behind. */
+/* Follows both curves by rising moment. Where one is level the joint is level too, and nothing comes behind. */
 LoadingCurve loading_curve_series(const LoadingCurve *a, const LoadingCurve *b)
 {
     LoadingCurve sum = {.compliance = {a->compliance[0] + b->compliance[0]}};
@@ -47,7 +47,7 @@ LoadingCurve loading_curve_series(const LoadingCurve *a, const LoadingCurve *b)
     return sum;
 }
 
-/* Each corner is where one slider gives way: it takes the difference of the stiffnesses before and after. */
+/* At each corner one slider gives way: its stiffness is the difference of the stiffnesses before and after. */
 double loading_curve_sliders(const LoadingCurve *curve, double *stiffness, double *limit)
 {
     double rotation = 0, moment = 0;
@@ -64,8 +64,8 @@ double loading_curve_sliders(const LoadingCurve *curve, double *stiffness, doubl
 typedef struct Side {
     const CableDef *cable;
     double half;                  /* m */
-    double stiffness[COMPONENTS]; /* of the half-spring, at first loading (B15) */
-    double mobility[COMPONENTS];  /* 1/kg, 1/(kg m2): motion of the segment's end by a unit impulse there (HY11) */
+    double stiffness[COMPONENTS]; /* of the half-spring at first loading (B15) */
+    double mobility[COMPONENTS];  /* 1/kg, 1/(kg m2): response of the segment's end to a unit impulse there (HY11) */
 } Side;
 
 static Side side_of(const Scene *scene, int segment)
@@ -81,8 +81,8 @@ static Side side_of(const Scene *scene, int segment)
                   .mobility = {light, light + arm2 * turn[2], light + arm2 * turn[1], turn[0], turn[1], turn[2]}};
 }
 
-/* The damping time of a cable in component c of a bushing, s: as given, or from a ratio at a frequency (HY10) or of the
- * bushing's own mode (HY12). */
+/* Damping time of a cable in component c of a bushing, s: as given, or from a damping ratio at a frequency (HY10) or at
+ * the bushing's own mode (HY12). */
 static double damping_time(const CableDef *cable, int c, double stiffness, double mobility)
 {
     const double ratio = cable->damping_ratio[c];
@@ -91,7 +91,7 @@ static double damping_time(const CableDef *cable, int c, double stiffness, doubl
     return 2 * ratio / sqrt(stiffness * mobility);
 }
 
-/* Two half-springs in series, with the damping that dissipates as much in a slow motion (B15). */
+/* Two half-springs in series; the damping dissipates the same in slow motion (B15). */
 static Bushing series(const Side *a, const Side *b)
 {
     Bushing out;
@@ -161,7 +161,8 @@ hawser_status joints_rest(Scene *scene, int end, hawser_error *err)
 
 hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err)
 {
-    static const double OTHER = 1.618033988749895; /* no multiple of the first: neither side nor hand is preferred */
+    static const double OTHER = 1.618033988749895; /* not commensurable with the first: no side or hand of rotation is
+                                                    * preferred */
     Chain *const c = &scene->chain;
     const int n = c->n;
     double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y), along = 0;
@@ -190,7 +191,7 @@ void joint_even(Bushing *b)
     }
 }
 
-/* From a segment's centre to its end that lies at ghost i. */
+/* Vector from a segment's centre to its end at ghost i. */
 static Vec3 end_arm(const Chain *chain, const Kinematics *kin, int i, int segment)
 {
     return v3_scale(i < 0 ? -chain->half[segment] : chain->half[segment], v3_load(kin->a, segment));
@@ -220,11 +221,12 @@ void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment,
     const Vec3 gap = v3_sub(v3_load(kin->p, i), v3_add(v3_load(kin->p, segment), arm));
     const Quat q = {kin->q[0][segment], kin->q[1][segment], kin->q[2][segment], kin->q[3][segment]},
                ghost = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
-    const Vec3 turn = quat_log(quat_mul(ghost, quat_conj(q))); /* of the ghost against the segment */
+    const Vec3 turn = quat_log(quat_mul(ghost, quat_conj(q))); /* rotation of the ghost relative to the segment */
     const double angle = v3_norm(turn), half_turn = angle > 1e-4 ? tan(angle / 4) / (2 * angle) : 0.125;
-    const double h = symmetric ? half_turn : 0, share = symmetric ? 0.5 : i < 0; /* of d x f, on the segment (B9) */
+    const double h = symmetric ? half_turn : 0, share = symmetric ? 0.5 : i < 0; /* moment of d x f on the segment
+                                                                                  * (B9) */
     const Vec3 mean = v3_axpy(v3_scale(0.5, v3_add(spin, ground)), -h, v3_cross(turn, v3_sub(ground, spin)));
-    const Vec3 frame = symmetric ? mean : i < 0 ? spin : ground; /* its angular velocity (B6) */
+    const Vec3 frame = symmetric ? mean : i < 0 ? spin : ground; /* angular velocity of the frame (B6) */
     const Vec3 leaves = v3_sub(v3_load(kin->v, i), v3_add(v3_load(kin->v, segment), v3_cross(spin, arm)));
     const Vec3 rate = v3_sub(leaves, v3_cross(frame, gap));
     const size_t at = 36 * (size_t)segment;
@@ -258,13 +260,13 @@ static LoadingCurve joint_curve(const Scene *scene, int j)
     return loading_curve_series(&before, &after);
 }
 
-/* The last joint that transmits moments: the head's, if the winch clamps it. */
+/* The last joint that transmits moments: that of the head if the winch clamps it. */
 static int last_bent(const Scene *scene)
 {
     return scene->chain.n - !(scene->def.winch.present && !scene->def.winch.axial_only);
 }
 
-/* The sliders that the joint with most of them needs. */
+/* Largest number of sliders that any joint needs. */
 static int sliders_needed(const Scene *scene)
 {
     int most = 0, tables = 0;

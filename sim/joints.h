@@ -1,4 +1,4 @@
-/* The joints' springs and dampers from what cables are made of. docs/model.md, "Bushing" (B15), "Bending with
+/* Springs and dampers of the joints from the data of the cables. docs/model.md, "Bushing" (B15), "Bending with
  * hysteresis" (HY1)-(HY12). */
 #ifndef HAWSER_SIM_JOINTS_H
 #define HAWSER_SIM_JOINTS_H
@@ -7,50 +7,51 @@
 
 enum { AXIAL, SHEAR_Y, SHEAR_Z, TORSION, BENDING_Y, BENDING_Z, COMPONENTS };
 
-/* What a bushing is made of: N/m and N m/rad, N s/m and N m s/rad, N and N m. */
+/* Stiffness, damping and preload of a bushing: N/m and N m/rad, N s/m and N m s/rad, N and N m. */
 typedef struct Bushing {
     double stiffness[COMPONENTS], damping[COMPONENTS], preload[COMPONENTS];
 } Bushing;
 
-/* A clamp at an end: the half-spring of the segment there alone. */
+/* Bushing of a clamp at an end: the half-spring of the segment there alone. */
 Bushing joints_clamp(const Scene *scene, int segment);
-/* Components from..to-1 of joint j. */
+/* Sets components from..to-1 of joint j. */
 void joint_set(Chain *chain, int j, const Bushing *b, int from, int to);
-/* The axial spring in all three directions: its force is K d whatever the bushing's frame. */
+/* Sets the axial spring in all three directions: the force is K d whatever the bushing's frame. */
 void joint_even(Bushing *b);
-/* An end of `segment` that slides in the n directions of axis, which belong to the ground: ghost i goes along with it,
- * so that an even joint between them has no force there, whatever way the end has turned (RD21). */
+/* Lets an end of `segment` slide in the n directions of axis, which are fixed to the ground: ghost i moves along with
+ * it, so that an even joint between them has no force there, whatever the rotation of the end (RD21). */
 void slide_ghost(const Chain *chain, Kinematics *kin, int i, int segment, int n, const Vec3 *axis);
-/* What that takes back of the blocks that the joint would have if the ghost stood still (RD22). */
+/* Removes from k and d the part of the joint's blocks that holds only for a ghost that stands still (RD22). */
 void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment, int n, const Vec3 *axis, BlockChain *k,
                   BlockChain *d);
-/* The joints between the scene's segments: two half-springs in series (B15). */
+/* Sets the joints between the scene's segments: two half-springs in series (B15). */
 void joints_springs(Scene *scene);
-/* Where a joint has sliders, its elastic bending springs keep only what the curve's last piece has (HY4). Errors:
- * MEMORY. */
+/* Adds the sliders. The elastic bending springs of a joint that has some keep only the stiffness of the curve's last
+ * piece (HY4). Errors: MEMORY. */
 hawser_status joints_sliders(Scene *scene, hawser_error *err);
-/* The joints before `end` rest as they lie at the start: preloads -K theta of torsion and bending. Errors: MEMORY. */
+/* Makes the initial shape the resting shape of the joints before `end`: preloads -K theta of torsion and bending.
+ * Errors: MEMORY. */
 hawser_status joints_rest(Scene *scene, int end, hawser_error *err);
-/* Joints rest bent to the side, by `curvature` (1/m) times two waves along the cable, the longer one of `wave_number`
- * (1/m): the imperfection of a cable that is pushed, docs/model/60-theory.md (BK10). Errors: MEMORY. */
+/* Bends the resting shape to the side, by `curvature` (1/m) times two waves along the cable, the longer one of
+ * `wave_number` (1/m): the imperfection of a cable in compression, docs/model/60-theory.md (BK10). Errors: MEMORY. */
 hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err);
-/* ---- First-loading curves of bending (sim/joints.c): moment by rotation, concave, in straight pieces, for half
- * a segment or for a joint of two, and the sliders that such a curve is made of. docs/model.md, "Bending with
+/* ---- First-loading curves of bending (sim/joints.c): moment over rotation, concave and piecewise linear, for half a
+ * segment or for a joint of two, and the sliders that reproduce such a curve. docs/model.md, "Bending with
  * hysteresis". */
 
-/* Piece i has the compliance [i] up to moment[i]; the last piece goes on for ever. */
+/* Piece i has compliance[i] up to moment[i]; the last piece has no end. */
 typedef struct LoadingCurve {
     int corners;                        /* pieces - 1 */
     double moment[SLIDERS_MAX];         /* N m, rising */
-    double compliance[SLIDERS_MAX + 1]; /* rad/(N m), rising; INFINITY: the moment stays where it is */
+    double compliance[SLIDERS_MAX + 1]; /* rad/(N m), rising; INFINITY: the moment stays constant */
 } LoadingCurve;
 
-/* The curve of a length `half` (m) of a cable: its table, or a straight line (HY1). */
+/* Curve of a length `half` (m) of a cable: its table, or a straight line (HY1). */
 LoadingCurve loading_curve_of(const CableDef *cable, double half);
-/* Two in series: the moment is the same in both, the rotations add up (HY2). */
+/* Curve of two in series: the moment is the same in both, the rotations add up (HY2). */
 LoadingCurve loading_curve_series(const LoadingCurve *a, const LoadingCurve *b);
-/* Sliders whose first loading is the curve: stiffness [corners] N m/rad and limit [corners] rad; returns the stiffness
- * of the elastic spring beside them, N m/rad (HY4). */
+/* Computes the sliders whose first loading is the curve: stiffness [corners] N m/rad and limit [corners] rad; returns
+ * the stiffness of the elastic spring beside them, N m/rad (HY4). */
 double loading_curve_sliders(const LoadingCurve *curve, double *stiffness, double *limit);
 
 #endif

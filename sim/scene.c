@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Untwisted on the route at s (m). */
+/* Attitude without twist on the route at s (m). */
 static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
 {
     const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, s), axis));
@@ -13,7 +13,7 @@ static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
 
 Vec3 scene_line_at(const Scene *scene, double s) { return setup_line_at(&scene->def, &scene->route, s); }
 
-/* Where joint j is when the chain has moved on by `travel`. */
+/* Place of joint j when the chain has moved on by `travel`. */
 static Vec3 joint_place(const Scene *scene, int j, double travel)
 {
     return j < scene->joints_off ? scene->joint_start[j] : scene_line_at(scene, scene->joint_s[j] + travel);
@@ -104,7 +104,7 @@ Room *room_of(Scene *scene, const RoomKind *kind)
 
 double scene_next_stop(const Scene *scene, double t, double stop)
 {
-    const double behind = t + 1e-9; /* a stop of now is none */
+    const double behind = t + 1e-9; /* a stop at t itself does not count */
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
         if (room->present && room->kind->next_stop) stop = fmin(stop, room->kind->next_stop(room, scene, behind));

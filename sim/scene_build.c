@@ -9,8 +9,8 @@
 
 static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
 
-/* m, of the rollers along the route: the largest radius at which a cable as thick as the chain's thickest has its line;
- * 0: there are none. Whether the cable comes to a listed one nobody knows. */
+/* m, of the rollers along the route: largest radius at which the axis of the chain's thickest cable runs; 0: there are
+ * none. Rollers listed by coordinates are left out: the cable may not reach them. */
 static double farthest_line(const Scene *scene)
 {
     double thickest = 0, farthest = 0;
@@ -23,8 +23,8 @@ static double farthest_line(const Scene *scene)
     return farthest;
 }
 
-/* Where a thick cable ends the contact radius falls over an arc by no more than leaves a roller one nearest place
- * (C6); what is left of the fall goes on over the arcs that follow, on the thinner cable. (C6a) */
+/* Reduces the contact radius at the end of a thick cable by so little per arc that the nearest place on a roller
+ * remains unique (C6); the rest of the reduction extends over the following arcs, on the thinner cable. (C6a) */
 static void radii_taper(Scene *scene)
 {
     Chain *const c = &scene->chain;
@@ -72,7 +72,8 @@ static void weight_fill(Scene *scene)
                              .direction = start.tangent,
                              .blend = lead->blend};
     /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
-    scene->weight.hold = scene->def.strand.lay > 0 ? 0 : v3_norm(g) / 1e-3; /* a lay winds round that line */
+    scene->weight.hold = scene->def.strand.lay > 0 ? 0 : v3_norm(g) / 1e-3; /* cables that are laid up wind round that
+                                                                             * line */
     scene->weight.hold_damping = sqrt(scene->weight.hold);
     if (!lead->carries_weight) {
         scene->weight.behind = v3_scale(v3_dot(g, start.tangent), start.tangent);
@@ -105,7 +106,7 @@ static hawser_status springs_build(Scene *scene, hawser_error *err)
     }
     chain_find_lacks(&scene->chain);
     const hawser_status status = joints_sliders(scene, err);
-    const int laid = scene->def.strand.lay > 0; /* cables that are laid up have taken that shape (SC3) */
+    const int laid = scene->def.strand.lay > 0; /* cables that are laid up have taken that shape at rest (SC3) */
     return status || !laid ? status : joints_rest(scene, scene->chain.n, err);
 }
 
@@ -145,12 +146,13 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     return status;
 }
 
-/* What keeps waves along the cable from dying out, C/K of its joints, s: below this one-step methods reach any error
- * that matters for less than a BDF does (docs/model.md, "One-step integration"). */
+/* s, C/K of the joints. Below this, damping along the cable is so light that one-step methods reach any relevant error
+ * for less than a BDF does (docs/model.md, "One-step integration"). */
 static const double LIGHTLY_DAMPED = 0.5e-3;
 
-/* `auto`, decided once for the whole chain: by how long the slowest joint takes to give way along the cable. Only a BDF
- * moves what sticks. max_order is the BDF's and no reason for one: above 2 it is unstable where waves last. */
+/* Resolves `auto` once for the whole chain, by the time in which the slowest joint gives way along the cable. Only a
+ * BDF can integrate friction that sticks. max_order belongs to the BDF and is no reason to choose it: above 2 it is
+ * unstable where waves last. */
 static void method_choose(SolverDef *solver, const Chain *chain, int sticks)
 {
     double slowest = 0;

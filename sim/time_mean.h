@@ -1,31 +1,33 @@
-/* Mean and mean square of a value over time, by the trapezoidal rule over a window, with its peak over the whole run;
- * and what its error bars ask of it: how much it wavers while the mesh passes by a segment, and how sharp its peak is
- * (docs/model.md, "Error bars"). */
+/* Mean and mean square of a value over time, by the trapezoidal rule over a window, and its peak over the whole run;
+ * also the figures that its error bounds need: the variation while a segment of the mesh passes, and the sharpness of
+ * the peak (docs/model.md, "Error bars"). */
 #ifndef HAWSER_SIM_TIME_MEAN_H
 #define HAWSER_SIM_TIME_MEAN_H
 
 #include <math.h>
 
-/* Sums over a stretch of time of a value less `from`, `moment` of that times the time since its beginning. */
+/* Sums over a stretch of time of the value less `from`; `moment` sums that times the time since the beginning. */
 typedef struct TimeBlock {
     double from, sum, square, moment, time; /* value; value s; value^2 s; value s^2; s */
 } TimeBlock;
 
 typedef struct TimeMean {
     double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
-    int started;                          /* samples, two at most */
-    /* the last sample was the peak; the one before it; second difference of the value at the peak */
+    int started;                          /* number of samples, at most 2 */
+    /* whether the last sample was the peak; the value before it; second difference of the value at the peak */
     int at_peak;
     double before, sharpness;
-    double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB12) */
+    double rough, rough_at_peak; /* value^2: mean square of second differences up to the last sample, and up to the peak
+                                  * (EB12) */
     TimeBlock block;             /* since mean_block */
-    double wavered, blocks;      /* value^2 s; s: about their means, summed over the blocks that have ended */
-    double most;                 /* largest mean of a block that has ended; 0 where none has */
+    double wavered, blocks;      /* value^2 s, s: squared deviations from the blocks' own means, and durations, summed
+                                  * over the blocks that have ended */
+    double most;                 /* largest mean of a block that has ended; 0 if none has */
 } TimeMean;
 
-static const double ROUGH_FORGETS = 1.0 / 8; /* a sample: what is farther back than that many counts little */
+static const double ROUGH_FORGETS = 1.0 / 8; /* per sample: samples farther back than its inverse count little */
 
-/* A sample of `value`, dt (s) after the last one; it counts for the mean if `steady`. */
+/* Adds a sample of `value`, dt (s) after the last one; it counts for the mean if `steady`. */
 static inline void mean_add(TimeMean *m, double value, double dt, int steady)
 {
     if (steady && m->started) {
@@ -48,10 +50,10 @@ static inline void mean_add(TimeMean *m, double value, double dt, int steady)
     if (m->at_peak) m->peak = value;
     m->before = m->started ? m->last : value;
     m->last = value;
-    m->started = m->started ? 2 : 1; /* two: there is a sample before the last one */
+    m->started = m->started ? 2 : 1; /* 2: there is a sample before the last one */
 }
 
-/* A value between two samples that counts for the peak alone, and how sharp that is. */
+/* Adds a value between two samples that counts for the peak alone, with its sharpness. */
 static inline void mean_raise(TimeMean *m, double value, double sharpness)
 {
     if (!m->started || !(value > m->peak)) return;
@@ -61,16 +63,16 @@ static inline void mean_raise(TimeMean *m, double value, double sharpness)
     m->at_peak = 0;
 }
 
-static const double HELD_SHARP = 16; /* second differences, whose eighth is twice what two steps are apart */
+static const double HELD_SHARP = 16; /* in second differences: an eighth of it is twice the difference of two steps */
 
-/* What two steps held one after the other, which counts for the peak alone (EB14): the lower of both; the top of a
- * parabola stands no more above the higher one than that stands above the other. */
+/* Adds the value that two successive steps both reached, which counts for the peak alone (EB14): the lower of both. The
+ * top of a parabola exceeds the higher one by no more than their difference. */
 static inline void mean_held(TimeMean *m, double before, double now)
 {
     mean_raise(m, fmin(now, before), HELD_SHARP * fabs(now - before));
 }
 
-/* A block ends here, and the next one begins. */
+/* Ends a block and begins the next one. */
 static inline void mean_block(TimeMean *m)
 {
     const TimeBlock *const b = &m->block;
@@ -83,11 +85,11 @@ static inline void mean_block(TimeMean *m)
     m->block = (TimeBlock){.from = m->last};
 }
 
-/* NAN before the steady window. */
+/* Mean over the steady window; NAN before it. */
 static inline double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : NAN; }
 
-/* What lasts while a segment passes, at its largest: the largest mean of a block; the mean where no block has ended or
- * none is above it; NAN before the steady window. */
+/* Largest value that lasts while a segment passes: the largest mean of a block; the overall mean if no block has ended
+ * or none is above it; NAN before the steady window. */
 static inline double mean_lasting(const TimeMean *m) { return m->blocks > 0 ? fmax(m->most, mean_of(m)) : mean_of(m); }
 
 /* Root mean square deviation from the mean. */
@@ -97,14 +99,14 @@ static inline double mean_ripple(const TimeMean *m)
     return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
 }
 
-/* The same within blocks: what changes from block to block is left out. The ripple where no block has ended. */
+/* The same within blocks, without the changes from block to block. The ripple if no block has ended. */
 static inline double mean_waver(const TimeMean *m)
 {
     return m->blocks > 0 ? sqrt(m->wavered / m->blocks) : mean_ripple(m);
 }
 
-/* What a block will show that has not ended, of which a share `passed` has: a straight line goes on as far as the whole
- * block, and about it the value wavers as it does (EB9). */
+/* Waver that an unfinished block will show, of which a share `passed` is complete: the straight line is extended to the
+ * whole block, and the deviation about it stays the same (EB9). */
 static inline double mean_waver_ahead(const TimeMean *m, double passed)
 {
     const TimeBlock *const b = &m->block;

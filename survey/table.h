@@ -1,4 +1,4 @@
-/* Tables of a route: text or a sheet with names above the columns. docs/routes.md lists the names. */
+/* Tables of a route: text or a sheet with names above the columns. docs/formats.md lists the names. */
 #ifndef HAWSER_SURVEY_TABLE_H
 #define HAWSER_SURVEY_TABLE_H
 

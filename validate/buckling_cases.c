@@ -1,4 +1,4 @@
-/* A rod that lies in a duct and is pressed: when it begins to snake, and the helix that it ends in.
+/* A rod in a duct under compression: the force at which it begins to snake, and the helix at the end.
  * docs/model/85-validation.md (VA15)-(VA17a). */
 #include <math.h>
 #include <stdlib.h>
@@ -9,16 +9,16 @@
 #include "validate/validate.h"
 
 enum { MESHES = 3, HALF_WAVES = 3 };
-/* N m2, m of room around the rod, kg/m, m/s2 */
+/* N m2, m of clearance around the rod, kg/m, m/s2 */
 static const double EI = 1000, ROOM = 0.02, MASS = 10, G = 9.81;
 
 /* Wave number of the load (VA16), 1/m; the rod is three half waves long. */
 static double wave_number(void) { return pow(MASS * G / (EI * ROOM), 0.25); }
 
-/* The rod's radius, and how far the duct goes on past both its ends, m. */
+/* The rod's radius, and the length of duct past both its ends, m. */
 static const double RADIUS = 0.01, BEYOND = 2;
 
-/* A duct of this length around the route, which it bears on its floor; hard, without friction. */
+/* A duct of this length around the route; its floor bears the rod; hard, without friction. */
 static void duct_add(SceneDef *def, double length)
 {
     def->route[0].length = length;
@@ -29,7 +29,7 @@ static void duct_add(SceneDef *def, double length)
     def->line_impact.k *= 100;
 }
 
-/* Pinned at both ends on the duct's floor, pressed by `force` (N) at the head. */
+/* A rod pinned at both ends on the duct's floor, with a compression of `force` (N) at the head. */
 static hawser_status duct_rod(double force, int n, Stage *stage, hawser_error *err)
 {
     const double length = HALF_WAVES * M_PI / wave_number();
@@ -54,7 +54,7 @@ static hawser_status duct_rod(double force, int n, Stage *stage, hawser_error *e
     return motion_start(&def, stage, err);
 }
 
-/* omega^2 of the slowest mode about the rest under a force, 1/s2. */
+/* omega^2 of the slowest mode about the equilibrium under a force, 1/s2. */
 static hawser_status slowest(double force, int n, double *omega2, hawser_error *err)
 {
     Stage stage;
@@ -70,8 +70,8 @@ static hawser_status slowest(double force, int n, double *omega2, hawser_error *
     return status;
 }
 
-/* omega^2 falls in proportion to the force (VA15): two forces give the one at which it is gone. Both are below it with
- * the longest segments too, 6.7 % less: above it, the straight rod is not what comes to rest. */
+/* omega^2 falls in proportion to the force (VA15): two forces give the one at which it is zero. Both are below it with
+ * the longest segments too, by 6.7 %: above it, the equilibrium is not the straight rod. */
 static hawser_status snaking_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -97,8 +97,8 @@ static hawser_status snaking_run(const void *setup, ValidationLog *log, hawser_e
 
 enum { TURNS = 6, LONG_TURNS = 16 };
 
-/* Without weight, bent from straight into a helix of wave number k (1/m) along the duct's wall; pinned there at the
- * tail, and free at the head, which is pressed. */
+/* A rod without weight, bent from straight into a helix of wave number k (1/m) along the duct's wall; pinned there at
+ * the tail, and free at the head, under compression. */
 static hawser_status helix_start(double force, double k, int turns, int n, Stage *stage, hawser_error *err)
 {
     const double dx = turns * 2 * M_PI / (k * n), chord = hypot(dx, 2 * ROOM * sin(k * dx / 2));
@@ -124,7 +124,7 @@ static hawser_status helix_start(double force, double k, int turns, int n, Stage
     return motion_start(&def, stage, err);
 }
 
-/* Wave number between segments i and j, 1/m: `about` tells how often it turns. */
+/* Wave number between segments i and j, 1/m: `about` gives the number of full turns. */
 static double wave_between(const Stage *stage, int i, int j, double about)
 {
     const Vec3 a = motion_get(stage, STATE_P, i), b = motion_get(stage, STATE_P, j);
@@ -132,12 +132,13 @@ static double wave_between(const Stage *stage, int i, int j, double about)
     return (to - from + 2 * M_PI * round((about * run - (to - from)) / (2 * M_PI))) / run;
 }
 
-/* It begins with a pitch that is a twelfth too long and finds its own (VA17). */
+/* It begins with a pitch that is a twelfth too long and reaches its own (VA17). */
 static hawser_status helix_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
     static const int N[MESHES] = {60, 120, 240};
-    static const double FORCE = 2000, REST = 100; /* N; s, in which it comes to rest by its damping: e-fold in 9 s */
+    static const double FORCE = 2000, REST = 100; /* N; s, in which its damping brings it to rest: by a factor of e in 9
+                                                   * s */
     const double k = sqrt(FORCE / (2 * EI));
     double h[MESHES], error[MESHES], found = NAN;
     for (int m = 0; m < MESHES; ++m) {
@@ -169,8 +170,8 @@ static double wall_between(Stage *stage, int i, int j)
     return force / run;
 }
 
-/* The middle half of sixteen turns, whose pitch began 2 % too long: what the wall carries by the wave number that is
- * there (VA17a), and that number itself. The head may spin, the tail may not: the rod takes up no twist. */
+/* The middle half of sixteen turns, whose pitch began 2 % too long: the wall's force by the wave number found there
+ * (VA17a), and that number itself. The head may spin, the tail may not: the rod takes up no twist. */
 static hawser_status wall_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;

@@ -1,14 +1,15 @@
-/* Bends in ducts: the capstan, level and vertical bends against their closed forms, an S in three dimensions against
- * the reference theory. The theory knows neither bending stiffness nor room in the duct: both are small here. */
+/* Bends in ducts: the capstan law, level and vertical bends against their closed forms, an S in three dimensions
+ * against the reference theory. The theory has neither bending stiffness nor clearance in the duct: both are small
+ * here. */
 #include <math.h>
 
 #include "theory/closed_form.h"
 #include "validate/validate.h"
 
-/* kg/m, m/s2; friction of a lubricated duct; N at the tail. The room around the cable and the segments, m: what is left
- * of the lost turn (DU14) is below 0.1 % of the tension. */
+/* kg/m, m/s2; friction of a lubricated duct; N at the tail. Clearance around the cable and segment length, m: the
+ * remainder of the lost angle (DU14) is below 0.1 % of the tension. */
 static const double MASS = 10, G = 9.81, MU = 0.25, TAIL = 2000, ROOM = 0.0002, SEGMENT = 0.125;
-/* m, the cable's: the theory's is a line; friction on the skin of one with thickness has a shorter lever (VA1) */
+/* m, of the cable: the theory's is a line; friction on the surface of a thick one has a shorter lever (VA1) */
 static const double THIN = 0.01, THICK = 0.05;
 
 typedef struct Bend {
@@ -28,7 +29,7 @@ static const Bend capstan_90 = {.radius = 3, .angle = M_PI / 2, .weightless = 1,
                   crest_down = {.radius = 5, .angle = 0.5, .plane = 1.5 * M_PI, .vertical = CREST_LEVEL_DOWN},
                   sag_down = {.radius = 5, .angle = 0.6, .plane = M_PI / 2, .slope = -0.6, .vertical = SAG_DOWN_LEVEL};
 
-/* The pieces of the route are the caller's to add; 1 m of it is ahead of the cable of `length`. */
+/* Starts a scene without the route's pieces, which the caller adds; 1 m of route is ahead of the cable of `length`. */
 static hawser_status duct_start(SceneDef *def, double length, double radius, hawser_error *err)
 {
     const hawser_status status = build_start(def, err);
@@ -54,7 +55,7 @@ static hawser_status duct_start(SceneDef *def, double length, double radius, haw
     return HAWSER_OK;
 }
 
-/* Where the bend is left, from the tension T1 where it is entered; NAN where the form does not hold. */
+/* Tension at the bend's end, from the tension T1 at its beginning; NAN where the closed form is not valid. */
 static double bend_expected(const Bend *b, double T1)
 {
     const double w = b->weightless ? 0 : MASS * G;
@@ -70,7 +71,7 @@ static double bend_expected(const Bend *b, double T1)
 }
 
 /* Straight, bend, straight. From the simulated tension 1 m before the bend the closed forms of straight and bend give
- * the one 1.5 m behind it; before the bend 2 m of straight are compared. */
+ * that 1.5 m behind it; 2 m of straight before the bend are compared too. */
 static hawser_status bend_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     static const double BEFORE = 6, AFTER = 4;
@@ -125,7 +126,8 @@ static hawser_status s_bend_run(const void *setup, ValidationLog *log, hawser_er
     return HAWSER_OK;
 }
 
-/* The pull through a level bend with 14 m of cable in n segments, in a duct with room for what long ones deviate. */
+/* Pull through a level bend with 14 m of cable in n segments, in a duct with clearance for the deviation of long
+ * ones. */
 static hawser_status segments_pull(int n, double *pull, hawser_error *err)
 {
     static const double WIDE = 0.005;
@@ -149,7 +151,7 @@ static hawser_status segments_pull(int n, double *pull, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Where the contact begins and ends is not smooth: no order is asked for, but that longer segments pull the same. */
+/* The ends of the contact are not smooth: no order is required, only that longer segments give the same pull. */
 static hawser_status segments_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;

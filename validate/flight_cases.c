@@ -1,5 +1,5 @@
-/* Chains that nothing but weight, ends and a medium acts on: fluid drag against its closed forms, a folded chain that
- * falls, a rope that is skipped, a bar that rebounds. docs/model/85-validation.md (VA6)-(VA10). */
+/* Chains with no loads but weight, end loads and a medium: fluid drag against its closed forms, a folded chain that
+ * falls, a skipping rope, a bar that rebounds. docs/model/85-validation.md (VA6)-(VA10). */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@ static const double G = 9.81; /* m/s2 */
 
 enum { MESHES = 3 };
 
-/* A rod without stiffness or damping to speak of that hangs on nothing, in time. */
+/* A free rod in time, with negligible stiffness and damping. */
 static hawser_status chain_start(SceneDef *def, CableDef cable, double length, int n, double accuracy,
                                  hawser_error *err)
 {
@@ -36,12 +36,12 @@ static const MediumDef WATER = {.density = 1025, .normal = 1.2, .tangential = 0.
 /* kg/m, m */
 static const double MASS = 20, DIAMETER = 0.08, LENGTH = 10;
 
-/* N s2/m2 for a metre, across. */
+/* N s2/m2 per metre, across. */
 static double drag_across(const MediumDef *fluid) { return fluid->density * fluid->normal * DIAMETER / 2; }
 
 static double displaced(const MediumDef *fluid) { return fluid->density * M_PI * DIAMETER * DIAMETER / 4; }
 
-/* Dropped level into still water: v = v_t tanh(t c v_t/m) (VA6). */
+/* Dropped horizontally into still water: v = v_t tanh(t c v_t/m) (VA6). */
 static hawser_status sinking_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -64,9 +64,9 @@ static hawser_status sinking_run(const void *setup, ValidationLog *log, hawser_e
     return status;
 }
 
-/* A straight rod that spins about its middle slows down by its drag alone: 1/omega grows in proportion to time (VA7).
- */
-/* What turns all segments about their middle, over their inertia: waves that run along the chain are none of it. */
+/* A straight rod that spins about its middle is slowed down by its drag alone: 1/omega grows in proportion to time
+ * (VA7). */
+/* Angular momentum of all segments about their middle, over their inertia: waves along the chain do not affect it. */
 static double spin_of(const Stage *stage, int n)
 {
     Vec3 middle = V3_ZERO;
@@ -147,7 +147,7 @@ static double fold_time(double f)
     return sum * ds / 3;
 }
 
-/* Runs until the end has fallen by `f` of the length; *t: when, s; *v: how fast then, m/s. */
+/* Runs until the end has fallen by `f` of the length; *t: the time, s; *v: its speed then, m/s. */
 static hawser_status fold_until(Stage *stage, double f, double length, double *t, double *v, hawser_error *err)
 {
     const int last = stage->scene.chain.n - 1;
@@ -172,7 +172,7 @@ static hawser_status fold_until(Stage *stage, double f, double length, double *t
     return status;
 }
 
-/* The chain hangs in two arms from one height, a segment's length apart, and is let go at one end. */
+/* The chain hangs in two arms from one height, a segment's length apart, and is released at one end. */
 static hawser_status fold_start(int arms, double length, Stage *stage, hawser_error *err)
 {
     const int n = 2 * arms + 1;
@@ -197,7 +197,7 @@ static hawser_status fold_start(int arms, double length, Stage *stage, hawser_er
     return motion_start(&def, stage, err);
 }
 
-/* Energy of the arm that hangs still in theory, as a share of what weight has done since the release (VA9). */
+/* Energy of the arm that hangs still by theory, as a share of the work of weight since the release (VA9). */
 static double fold_left(Stage *stage, double length, double fallen)
 {
     const Chain *const chain = &stage->scene.chain;
@@ -241,7 +241,7 @@ static hawser_status fold_run(const void *setup, ValidationLog *log, hawser_erro
     return HAWSER_OK;
 }
 
-/* --------------------------------------------------------------------------------------------- a skipped rope */
+/* --------------------------------------------------------------------------------------------- a skipping rope */
 
 /* The curve of (VA10) between two points on the axis: half amplitude b (m), q = m omega^2/2H (1/m2). */
 typedef struct Loop {
@@ -264,8 +264,8 @@ static void loop_points(const Loop *loop, Vec3 *at)
     }
 }
 
-/* How far the n-th chord of this length ends from the curve's end, along it, in steps of the parameter: above 0 if the
- * curve is left over. corner [n+1] gets the corners. */
+/* Distance of the end of the n-th chord of this length from the curve's end, along it, in steps of the parameter: above
+ * 0 if some of the curve is left. corner [n+1] gets the corners. */
 static double chords_lay(const Vec3 *at, int n, double chord, Vec3 *corner)
 {
     int k = 0;
@@ -279,7 +279,7 @@ static double chords_lay(const Vec3 *at, int n, double chord, Vec3 *corner)
     return v3_norm(v3_sub(at[FINE], corner[n])) / chord;
 }
 
-/* n equal chords from end to end, by halving; returns their length. */
+/* Finds n equal chords from end to end, by bisection; returns their length. */
 static double loop_polygon(const Loop *loop, int n, Vec3 *corner, hawser_error *err)
 {
     Vec3 *const at = calloc(FINE + 1, sizeof *at);
@@ -303,8 +303,8 @@ static double loop_polygon(const Loop *loop, int n, Vec3 *corner, hawser_error *
     return low;
 }
 
-/* What is found of a skipped rope, means of the last turn: height of the middle (m), tension in the middle and at the
- * end (N). */
+/* Results for a skipping rope, means of the last turn: height of the middle (m), tension in the middle and at the end
+ * (N). */
 typedef struct Skipped {
     double height, middle, end;
 } Skipped;
@@ -372,8 +372,8 @@ static hawser_status skip_run(const void *setup, ValidationLog *log, hawser_erro
 
 /* --------------------------------------------------------------------------------------------------- rebound */
 
-/* A bar that flies against a wall presses it with v sqrt(EA m) until the wave has been to the free end and back, and
- * then flies away as fast as it came. The wall is the head's support: it only ever pushes. */
+/* A bar that flies against a wall exerts v sqrt(EA m) on it until the wave has been to the free end and back, and then
+ * flies away at the same speed. The wall is the head's support, which only pushes. */
 static hawser_status rebound(int n, double *force, double *contact, double *after, hawser_error *err)
 {
     static const double SPAN = 10, SPEED = 1;
@@ -444,24 +444,24 @@ static const ValidationCase flight_cases[] = {
 
 const ValidationGroup flight_group = VALIDATION_GROUP(flight_cases);
 
-/* A right-angled cantilever in motion (Simo and Vu-Quoc 1988): pushed out of its plane at the elbow for 2 s, it swings
- * far in space, bent and twisted, and keeps its energy. docs/model/85-validation.md (VA27). */
+/* A right-angled cantilever in motion (Simo and Vu-Quoc 1988): pushed out of its plane at the elbow for 2 s, it makes
+ * large oscillations in space, bent and twisted, and keeps its energy. docs/model/85-validation.md (VA27). */
 
-/* m, kg/m, N, N m2, kg m: two legs alike; the load grows to LOAD at 1 s and is gone at FREE. */
+/* m, kg/m, N, N m2, kg m: two equal legs; the load grows to LOAD at 1 s and is zero from FREE on. */
 static const double LEG = 10, FRAME_MASS = 1, EA = 1e6, EI = 1e3, INERTIA = 10, LOAD = 50, FREE = 2;
 
-static const double END = 17, LOOK = 8; /* s: past the tip's second extreme; where meshes are held against each other */
+static const double END = 17, LOOK = 8; /* s: past the tip's second extreme; time at which meshes are compared */
 
 enum { COARSEST = 10, FRAME_MESHES = 4 }; /* segments, doubled each time */
 
-/* Extremes out of the plane, m, and what the frame has of energy, J. */
+/* Extremes out of the plane, m, and energy of the frame, J. */
 typedef struct Swing {
     double elbow, tip_up, tip_down; /* the first of each */
     double at_look;                 /* the tip's, at LOOK */
-    double energy, drift;           /* when the load is gone; largest change from then on */
+    double energy, drift;           /* at the end of the load; largest change from then on */
 } Swing;
 
-/* Grows to LOAD within 1 s and is gone within another. */
+/* Adds a load that grows to LOAD within 1 s and vanishes within another. */
 static hawser_status pushed(SceneDef *def, hawser_error *err)
 {
     static const double TIME[] = {0, 1, 2}, SHARE[] = {0, 1, 0};
@@ -510,7 +510,7 @@ static Vec3 end_of(const Stage *stage, int i)
     return v3_axpy(motion_get(stage, STATE_P, i), stage->scene.chain.half[i], axis);
 }
 
-/* Step by step to END; t < LOOK is where the elbow and the tip have their first extremes to the load's side. */
+/* Integrates step by step to END; elbow and tip have their first extremes to the load's side at t < LOOK. */
 static hawser_status swing_find(int n, Swing *out, hawser_error *err)
 {
     SceneDef def;
@@ -568,14 +568,14 @@ static const ValidationCase frame_cases[] = {
 
 const ValidationGroup frame_group = VALIDATION_GROUP(frame_cases);
 
-/* Chains that nothing holds, or that hang from one end: what their motion must conserve, and rotation without bending.
- */
+/* Chains that are free, or hang from one end: quantities that their motion must conserve, and rotation without
+ * bending. */
 
 enum { SEGMENTS = 20 };
 
 static const double MOTION_LENGTH = 10; /* m */
 
-/* Straight, free at both ends, undamped. */
+/* A straight chain, free at both ends, undamped. */
 static hawser_status chain_build(SceneDef *def, double ea, double ei, double accuracy, hawser_error *err)
 {
     CableDef cable = build_cable(8, 0.06, ea, ei);
@@ -594,8 +594,8 @@ static double random_next(uint64_t *seed)
     return (double)(*seed >> 11) / 4503599627370496.0 - 1;
 }
 
-/* Thrown into the air with random velocities: the centre of mass flies on its parabola, the angular momentum about it
- * stays, and so does the energy. */
+/* Thrown into the air with random velocities: the centre of mass follows its parabola, the angular momentum about it is
+ * constant, and so is the energy. */
 static hawser_status flight_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -628,8 +628,8 @@ static hawser_status flight_run(const void *setup, ValidationLog *log, hawser_er
     return HAWSER_OK;
 }
 
-/* A chain hung from its head and let go 60 degrees off the vertical. The energy is reckoned from the straight hanging
- * chain. */
+/* A chain hung from its head and released at 60 degrees from the vertical. The energy is measured from the straight
+ * hanging chain. */
 static hawser_status pendulum_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -658,9 +658,9 @@ static hawser_status pendulum_run(const void *setup, ValidationLog *log, hawser_
     return HAWSER_OK;
 }
 
-/* Places (m) of the segments along a chain that turns by omega (rad/s) about its middle, each joint stretched by what
- * it carries: x_i = x_(i-1) + h + T_i/k, where T_i is omega^2 times the sum of m x outside. Each pass reckons the
- * tensions from the places of the one before; a few do, since the strain is small. */
+/* Places (m) of the segments along a chain that rotates by omega (rad/s) about its middle, each joint stretched by its
+ * tension: x_i = x_(i-1) + h + T_i/k, where T_i is omega^2 times the sum of m x outside. Each pass computes the
+ * tensions from the places of the one before; a few suffice, since the strain is small. */
 static void spinning_places(const Chain *c, double omega, double *place)
 {
     const double h = MOTION_LENGTH / SEGMENTS;
@@ -675,7 +675,8 @@ static void spinning_places(const Chain *c, double omega, double *place)
     }
 }
 
-/* Lays the chain along the unit vector `along` through the origin and sets it turning about `axis`, square to that. */
+/* Places the chain along the unit vector `along` through the origin and gives it a rotation about `axis`, normal to
+ * that. */
 static void spinning_set(Stage *stage, const double *place, Vec3 along, Vec3 axis, double omega)
 {
     const Vec3 across = v3_cross(axis, along);
@@ -698,9 +699,9 @@ static double largest_bend(Stage *stage)
     return bent;
 }
 
-/* The straight chain turns about an axis through its middle that is in no plane of coordinates, three times around.
- * Its joints are stretched from the start by what they carry, in the middle m omega^2 L^2/8: nothing then vibrates,
- * nothing bends, and after three turns all lies where it was. */
+/* The straight chain rotates three times about an axis through its middle that is in no coordinate plane. Its joints
+ * are stretched from the start by their tensions, m omega^2 L^2/8 in the middle: then nothing vibrates or bends, and
+ * after three turns everything is back at its place. */
 static hawser_status rotation_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;

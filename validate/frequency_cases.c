@@ -1,6 +1,5 @@
-/* Natural frequencies, twice: in time, where a rod set going in one of its modes swings and its changes of direction
- * are timed, through all that a pull goes through, the integrator included; and as eigenvalues about the equilibrium.
- */
+/* Natural frequencies, by two methods: in time, where a rod is started in one of its modes and its changes of direction
+ * are timed, through all parts of a simulation including the integrator; and as eigenvalues about the equilibrium. */
 #include <math.h>
 
 #include "core/vec3.h"
@@ -49,7 +48,7 @@ static hawser_status span_start(const Span *s, int n, Stage *stage, hawser_error
     SceneDef def;
     hawser_relaxation out = {0};
     CableDef cable = build_cable(MASS, 0.002, 1e7, s->kind == STRING ? 1e-3 : EI);
-    cable.ga = 1e9; /* a thin rod that does not shear: no rotary inertia, no Timoshenko */
+    cable.ga = 1e9; /* a thin rod without shear: no rotary inertia, no Timoshenko effect */
     hawser_status status = rod_start(&def, cable, LENGTH, n, 1, err);
     if (status) return status;
     RodEndDef *const end = def.rod.end;
@@ -72,7 +71,7 @@ static hawser_status span_start(const Span *s, int n, Stage *stage, hawser_error
     return status;
 }
 
-/* How fast the mode moves: the speeds' part along it. */
+/* Speed of the mode: the component of the speeds along it. */
 static double mode_speed(const Stage *stage, const Span *s, int mode)
 {
     const int n = stage->scene.chain.n;
@@ -83,7 +82,7 @@ static double mode_speed(const Stage *stage, const Span *s, int mode)
     return sum;
 }
 
-/* Sets the mode going at up to 1 mm/s and times its speed's changes of sign: half a period lies between two. */
+/* Starts the mode with up to 1 mm/s and times its speed's changes of sign, half a period apart. */
 static hawser_status mode_time(Stage *stage, const Span *s, int mode, double *omega, hawser_error *err)
 {
     enum { CROSSINGS = 6, SAMPLES = 40 };
@@ -152,7 +151,7 @@ static hawser_status frequency_run(const void *setup, ValidationLog *log, hawser
     return status;
 }
 
-/* Of modes that move square to the rod there are two alike, one a direction; others lie between them. */
+/* Checks for a mode normal to the rod: there are two alike, one in each direction; others lie between them. */
 static int is_transverse(const hawser_mode *mode, int segments)
 {
     double across = 0, along = 0;

@@ -10,8 +10,8 @@ static const double LENGTH = 58.5, CABLE = 152.5, ROPE = 32.5, SPEED = 0.1; /* m
 
 static double or_usual(double chosen, double usual) { return chosen > 0 ? chosen : usual; }
 
-/* The paper's table 1 and eq. 2: a solid bar of elasticity E and G (Pa), diameter d (m), area A (m2); steel's density.
- */
+/* The paper's table 1 and eq. 2: a solid bar of elasticity E and G (Pa), diameter d (m), area A (m2); steel's
+ * density. */
 static CableDef bar(const char *name, double E, double G, double d, double A, double damping)
 {
     const double J = M_PI * pow(d, 4) / 32;
@@ -34,7 +34,7 @@ static void chain_fill(const PaperChoice *choice, SceneDef *def)
     def->pieces[1] = (ChainPieceDef){.cable = 1, .length = ROPE, .segments = (int)lround(ROPE / segment), .swivel = 1};
 }
 
-/* Corners are arcs of 60 m; why these lengths is said in the case file. */
+/* Corners are arcs of 60 m; the case file gives the reason for these lengths. */
 static void route_fill(SceneDef *def)
 {
     def->route_slope = -5 * DEGREE;
@@ -121,22 +121,21 @@ hawser_status paper_scene(const PaperChoice *choice, SceneDef *def, hawser_error
     return status;
 }
 
-/* The paper's case: tensions along the tunnel against the reference theory, as in the paper's table 2; and where the
- * rest of the error comes from, each cause changed by itself. */
+/* The paper's case: tensions along the tunnel against the reference theory, as in the paper's table 2; and the causes
+ * of the remaining error, each changed by itself. */
 
-/* A real cable's bending stiffness, a twentieth of the solid paper_bar's (references: 9-16 kN m2 tangent); and next to
- * none.
- */
+/* A real cable's bending stiffness, a twentieth of the solid paper_bar's (references: 9-16 kN m2 tangent); and almost
+ * none. */
 #define REAL_EI 16.4e3 /* N m2 */
 #define LIMP_EI 1.64e3
 
 static const double PAPER_TOTAL = 12903.21; /* N, the paper's eq. 10 */
 
-/* What is changed, and how small the errors must be. */
+/* Changes of the case, and limits of the errors. */
 typedef struct Experiment {
     PaperChoice choice;
     double largest, mean; /* %, limits of the stations' errors */
-    int as_printed;       /* the paper's own total and its corners are compared too */
+    int as_printed;       /* 1: the paper's own total and its corners are compared too */
 } Experiment;
 
 /* The corners A to F and the paper's total. */

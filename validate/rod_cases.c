@@ -33,13 +33,13 @@ void rod_pin(RodEndDef *end)
     end->pivot = 1;
 }
 
-/* A constant owns nothing. */
+/* A constant profile owns nothing. */
 RodProfile rod_steady(Vec3 direction, double size)
 {
     return (RodProfile){.direction = v3_unit(direction), .size = {.kind = PROFILE_CONSTANT, .v1 = size}};
 }
 
-/* The table goes over to the definition that the profile is put into, and is freed with it. */
+/* The table belongs to the definition that takes the profile, and is freed with it. */
 hawser_status rod_growing(Vec3 direction, double size, RodProfile *out, hawser_error *err)
 {
     *out = (RodProfile){.direction = v3_unit(direction)};
@@ -55,10 +55,10 @@ void rod_add_load(SceneDef *def, double at, int moment, RodProfile by)
 }
 
 /* Rods at rest: linear and large bending in a plane and in space, hanging under their weight, twisted under tension.
- * The numbers of the elastica are elliptic integrals, those of the bend in space a boundary value problem solved for
- * this project beside the published ones. */
+ * The reference figures of the elastica are elliptic integrals; those of the bend in space are a boundary value problem
+ * solved for this project, beside the published ones. */
 
-/* Takes the definition; equilibria at even load steps up to t = 1 s. *stage must be freed if OK. */
+/* Takes over the definition; equilibria at even load steps up to t = 1 s. *stage must be freed if OK. */
 static hawser_status rod_solve(SceneDef *def, Stage *stage, hawser_error *err)
 {
     hawser_relaxation out = {0};
@@ -101,7 +101,7 @@ static hawser_status cantilever(SceneDef *def, int moment, Vec3 direction, doubl
     return status;
 }
 
-/* A strip of EI = 1 kN m2 that neither stretches nor shears much. */
+/* A strip of EI = 1 kN m2 with almost no stretch or shear. */
 static CableDef strip(double stiff)
 {
     CableDef c = build_cable(1, 0.01, stiff, 1e3);
@@ -128,7 +128,7 @@ static hawser_status linear_run(const void *setup, ValidationLog *log, hawser_er
     return status;
 }
 
-/* Sinking and drawing back of the tip over L, and its angle, at P L^2/EI. */
+/* Sinking and shortening of the tip over L, and its angle, at P L^2/EI. */
 typedef struct Elastica {
     double load, sink, back, angle;
 } Elastica;
@@ -155,8 +155,8 @@ static hawser_status elastica_run(const void *setup, ValidationLog *log, hawser_
     return HAWSER_OK;
 }
 
-/* A moment 2 pi EI/L makes a regular polygon, whatever N. The last half of a joint's turn is left to the middle of the
- * wall. */
+/* A moment 2 pi EI/L makes a regular polygon, whatever N. The last half of a joint's rotation is left to the middle of
+ * the wall. */
 static hawser_status roll_up_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -172,7 +172,7 @@ static hawser_status roll_up_run(const void *setup, ValidationLog *log, hawser_e
     return HAWSER_OK;
 }
 
-/* A bend of 45 degrees, radius 100, section 1 x 1, E = 1e7, nu = 0, with a force square to its plane. */
+/* A bend of 45 degrees, radius 100, section 1 x 1, E = 1e7, nu = 0, with a force normal to its plane. */
 typedef struct Bathe {
     double force;
     Vec3 tip;
@@ -248,7 +248,7 @@ static double twist_condition(double M, double EI, double T, double L)
     return T / EI * L * sin(d * L) - 2 * d * (cos(d * L) - cos(s * L));
 }
 
-/* The first change of sign above 2 sqrt(EI T), halved down. */
+/* The first change of sign above 2 sqrt(EI T), by bisection. */
 static double twist_critical(double EI, double T, double L)
 {
     const double start = 2 * sqrt(EI * T), step = 1e-3 * start;
@@ -266,8 +266,8 @@ static double twist_critical(double EI, double T, double L)
     return a;
 }
 
-/* The rod of that case: clamped at both ends, the head free along its axis, where it is pulled by `tension`, and turned
- * as far as the torque twists it; a small force `push` across its middle. */
+/* The rod of that case: clamped at both ends, the head free along its axis, with a `tension` along it and a prescribed
+ * rotation; a small force `push` across its middle. */
 typedef struct TwistRod {
     double EI, GJ, tension, length, push;
 } TwistRod;
@@ -296,7 +296,8 @@ static hawser_status twist_start(const TwistRod *rod, double torque, Stage *stag
     return status;
 }
 
-/* On to the equilibrium of time t, as a share of the whole turn: torque there and stiffness against the push. */
+/* Moves to the equilibrium of time t, as a share of the whole rotation; returns the torque and the stiffness against
+ * the push. */
 static hawser_status twist_look(const TwistRod *rod, Stage *stage, double t, double *torque, double *stiffness,
                                 hawser_error *err)
 {
@@ -308,8 +309,8 @@ static hawser_status twist_look(const TwistRod *rod, Stage *stage, double t, dou
     return status;
 }
 
-/* The deflection grows like 1/(M_c - M): where its reciprocal, drawn over the torque, comes to zero the rod gives way
- * (Southwell). It is looked at close to that, since the next modes are close too. */
+/* The deflection grows like 1/(M_c - M): the rod buckles where its reciprocal, plotted over the torque, is zero
+ * (Southwell). It is measured close to that, since the next modes are close too. */
 static hawser_status twist_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -334,8 +335,8 @@ static hawser_status twist_run(const void *setup, ValidationLog *log, hawser_err
     return HAWSER_OK;
 }
 
-/* Segments from a sixteenth to a 128th of the rod: what is left of the elastica's figures, and of the bend's tip where
- * its finest two tend to. */
+/* Segments from a sixteenth to a 128th of the rod: errors relative to the elastica's figures, and to the limit of the
+ * finest two for the tip of the bend. */
 static hawser_status elastica_order_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     enum { COUNT = 4 };
@@ -372,11 +373,11 @@ static hawser_status bathe_order_run(const void *setup, ValidationLog *log, haws
 /* ---------------------------------------------------------------------------------------- the Princeton beam */
 
 /* A flat strip of aluminium, 508 mm long, clamped, with a weight at its end that pulls at `angle` (degrees) from its
- * broad side: it bends both ways, and that twists it (Dowell and Traybar 1975). What is expected is the tip that beam
- * elements of ANSYS gave (Obrezkov, Mikkola and Matikainen 2022, in the test data of EXUDYN); its solid ones gave up to
- * 3 % less in the stiff plane, 2 % in the soft one. */
+ * broad side: it bends in both directions, and that twists it (Dowell and Traybar 1975). The expected tip is that of
+ * beam elements of ANSYS (Obrezkov, Mikkola and Matikainen 2022, in the test data of EXUDYN); its solid elements gave
+ * up to 3 % less in the stiff plane, 2 % in the soft one. */
 typedef struct Princeton {
-    double angle, stiff, soft; /* deg; m, the tip's move in the stiff and in the soft plane */
+    double angle, stiff, soft; /* deg; m, the tip's displacement in the stiff and in the soft plane */
 } Princeton;
 
 static const Princeton princeton[] = {
@@ -440,12 +441,12 @@ static const ValidationCase rod_cases[] = {
 
 const ValidationGroup rod_group = VALIDATION_GROUP(rod_cases);
 
-/* Rods that give way: loads at which they do, found by the load steps themselves, and what becomes of them. Errors and
+/* Rods that buckle: their critical loads, found by the load steps themselves, and their paths afterwards. Errors and
  * their order over three meshes each; docs/model/85-validation.md, "Rods that give way". */
 
 enum { MESHES = 3 };
 
-/* A family of scenes, one a mesh: EI = 100 N m2 unless its builder says otherwise. */
+/* A family of scenes, one per mesh: EI = 100 N m2 unless its builder sets another. */
 typedef struct Family {
     int coarsest; /* segments; then twice and four times as many */
     double load;  /* at t = 1 s, N or N m or rad */
@@ -455,7 +456,7 @@ typedef struct Family {
     double tolerance, percent; /* of the order; of the finest mesh */
 } Family;
 
-/* Slender: 1 kg/m, 2 mm, GJ as EI; stretches and shears by 1e-6 of what it bends. */
+/* Slender: 1 kg/m, 2 mm, GJ equal to EI; stretch and shear are 1e-6 of the bending. */
 static CableDef wire(void)
 {
     CableDef c = build_cable(1, 0.002, 1e8, 100);
@@ -464,7 +465,7 @@ static CableDef wire(void)
     return c;
 }
 
-/* Adds a load that grows; a follower if asked for. */
+/* Adds a load that grows; a follower on request. */
 static hawser_status load_add(SceneDef *def, double at, int moment, int follower, Vec3 direction, double size,
                               hawser_error *err)
 {
@@ -476,7 +477,7 @@ static hawser_status load_add(SceneDef *def, double at, int moment, int follower
     return HAWSER_OK;
 }
 
-/* The head is turned about x, as far as `turn` at 1 s. */
+/* Rotates the head about x, up to `turn` at 1 s. */
 static hawser_status head_turn(SceneDef *def, double turn, hawser_error *err)
 {
     RodEndDef *const head = &def->rod.end[ROD_HEAD];
@@ -517,7 +518,8 @@ static hawser_status greenhill(int n, double load, SceneDef *def, hawser_error *
     return status ? status : load_add(def, 0, 1, 0, v3(-1, 0, 0), load, err);
 }
 
-/* Clamped at both ends, the head free to come nearer; GJ = EI and L = 1 m: the turn is the torque over EI. */
+/* Clamped at both ends, the head free to move toward the tail; GJ = EI and L = 1 m: the rotation is the torque over
+ * EI. */
 static hawser_status twist(int n, double load, SceneDef *def, hawser_error *err)
 {
     const hawser_status status = rod_start(def, wire(), 1, n, 4, err);
@@ -528,11 +530,11 @@ static hawser_status twist(int n, double load, SceneDef *def, hawser_error *err)
     return head_turn(def, load, err);
 }
 
-/* A straight rod bent into a ring, a regular polygon of radius 1 m, and closed after a turn of one end. */
+/* A straight rod bent into a ring, a regular polygon of radius 1 m, and closed after a twist of one end. */
 static hawser_status ring(int n, double load, SceneDef *def, hawser_error *err)
 {
     CableDef cable = wire();
-    cable.ea = cable.ga = 1e7; /* the softer, the less of the bending stiffness is lost in rounding */
+    cable.ea = cable.ga = 1e7; /* the softer, the less of the bending stiffness is lost to rounding */
     const hawser_status status = rod_start(def, cable, 2 * n * sin(M_PI / n), n, 10, err);
     if (status) return status;
     def->rod.stress_free = 0;
@@ -544,7 +546,7 @@ static hawser_status ring(int n, double load, SceneDef *def, hawser_error *err)
 }
 
 /* Two legs of 240 mm at a right angle, a strip of 30 x 0.6 mm upright in their plane, E = 71 240 N/mm2, nu = 0.31: a
- * force at the end of the second leg, along the first, bends the frame in its plane until it gives way to the side. */
+ * force at the end of the second leg, along the first, bends the frame in its plane until it buckles to the side. */
 static hawser_status frame(int n, double load, SceneDef *def, hawser_error *err)
 {
     static const double LEG = 0.24, E = 71240e6, G = 71240e6 / 2.62, B = 0.03, T = 0.0006;
@@ -567,8 +569,8 @@ static hawser_status frame(int n, double load, SceneDef *def, hawser_error *err)
 
 /* ------------------------------------------------------------------------------------------------------- runs */
 
-/* Takes the definition; the load steps to t = 1 s, or to the first critical load if that is only to be reported. *stage
- * must be freed if OK. */
+/* Takes over the definition; makes the load steps to t = 1 s, or to the first critical load if that is only to be
+ * reported. *stage must be freed if OK. */
 static hawser_status walk(SceneDef *def, Stage *stage, hawser_error *err)
 {
     hawser_relaxation out = {0};
@@ -618,9 +620,9 @@ static hawser_status family_run(const void *setup, ValidationLog *log, hawser_er
     return HAWSER_OK;
 }
 
-/* Mesh by mesh, where there is no second order to show. Under a torque chains of any number of segments give way at the
- * same load, since what buckles is a helix; under a force at a free end the last half segment does not bend, and errors
- * are of first order. */
+/* Mesh by mesh, where there is no second order to show. Under a torque chains of any number of segments buckle at the
+ * same load, since the mode is a helix; under a force at a free end the last half segment does not bend, and errors are
+ * of first order. */
 static hawser_status meshes_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     static const char *const name[MESHES] = {"coarsest mesh", "twice as fine", "four times as fine"};
@@ -661,7 +663,7 @@ static double elastica_deflection(double load)
     return low / elliptic_k(low);
 }
 
-/* Beyond its load the column is not straight any more; nothing pushes it to a side. */
+/* Beyond its critical load the column is not straight any more; nothing pushes it to a side. */
 static hawser_status buckled_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -689,8 +691,8 @@ static hawser_status buckled_run(const void *setup, ValidationLog *log, hawser_e
     return HAWSER_OK;
 }
 
-/* A dead moment M at the end of a clamped straight rod, not square to it, turns its tangent about the moment's
- * direction e by M/EI a metre: a helix, whatever the torsional stiffness (VA20). */
+/* A dead moment M at the end of a clamped straight rod, not normal to it, rotates its tangent about the moment's
+ * direction e by M/EI per metre: a helix, whatever the torsional stiffness (VA20). */
 static hawser_status helix_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;

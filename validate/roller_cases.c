@@ -1,11 +1,11 @@
-/* A cable over single rollers: how friction turns with it, and how it hangs between them. */
+/* A cable over single rollers: how friction changes with the angle, and the sag between rollers. */
 #include <math.h>
 
 #include "sim/run/stats.h"
 #include "theory/closed_form.h"
 #include "validate/validate.h"
 
-/* One roller turns a weightless limp cable down by 20 deg; the cable is free in the air on both sides. */
+/* One roller deflects a weightless limp cable downward by 20 deg; the cable is free in the air on both sides. */
 static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -93,8 +93,8 @@ static const ValidationCase roller_cases[] = {
 
 const ValidationGroup roller_group = VALIDATION_GROUP(roller_cases);
 
-/* Straight rows of rollers, row_level and on slopes: what it takes to pull a cable over them is known exactly, and so
- * is what the rollers bear. The cable's ends are free across. */
+/* Straight rows of rollers, level and on slopes: the pull of a cable over them is known exactly, and so are the loads
+ * of the rollers. The cable's ends are free across. */
 
 static const double ROW_MASS = 20, DIAMETER = 0.08, ROW_G = 9.81; /* kg/m, m, m/s2: a cable of 800 mm2 */
 
@@ -102,7 +102,7 @@ static const double PITCH = 1, ROW_SEGMENT = 0.5, ROW_LENGTH = 30; /* m */
 
 typedef struct Row {
     double slope, mu; /* rad, 1 */
-    double tail;      /* N, back tension: what keeps a cable stretched that slides down by itself */
+    double tail;      /* N, back tension: keeps a cable stretched that slides down by itself */
 } Row;
 
 static const Row row_level = {.mu = 0.2}, uphill = {.slope = 0.2, .mu = 0.15},
@@ -119,7 +119,7 @@ static hawser_status row_build(const Row *row, SceneDef *def, hawser_error *err)
     def->friction = (FrictionLaw){.mu_s = row->mu, .mu_d = row->mu, .v_s = 1e-3, .v_d = 2e-3};
     build_pull(def, 0.1, 1, 1);
     def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = row->tail};
-    def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than what 1e-3 resolves */
+    def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than an accuracy of 1e-3 resolves */
     def->output.steady_from = 2;
     def->duration = 22;
     status = build_route(def, &route, err);
@@ -168,7 +168,7 @@ static hawser_status rest_run(const void *setup, ValidationLog *log, hawser_erro
 }
 
 /* Every roller under the middle of a long cable bears the weight of one pitch, at rest and, in the mean, while the
- * cable's segments pass over it; then its friction, square to that, counts too: w p sqrt(1 + mu^2). */
+ * cable's segments pass over it; in motion its friction, normal to that, counts too: w p sqrt(1 + mu^2). */
 static hawser_status load_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     const Row *const row = setup;

@@ -1,4 +1,4 @@
-/* What sticks, slips and runs: a mass on a belt, two weights on a rope over a drum, a rope that runs over one.
+/* Sticking, slipping and running: a mass on a belt, two weights on a rope over a drum, a rope that runs over one.
  * docs/model/85-validation.md (VA11)-(VA14), (VA18), (VA25), (VA26). */
 #include <math.h>
 #include <stdio.h>
@@ -12,11 +12,11 @@ static const double G = 9.81; /* m/s2 */
 
 /* ------------------------------------------------------------------------------------- a mass on a belt */
 
-/* N at the grip's full height and where it slides; m/s of the belt; kg. */
+/* N of the full grip and of sliding; m/s of the belt; kg. */
 static const double STICK = 400, SLIDE = 250, BELT = 0.1, BLOCK = 20;
 
-/* A stiff cable of 20 kg in one segment, tied by a soft rope to a winch that stands, lies in a conveyor that runs
- * backward, covered by it all the time. */
+/* A stiff cable of 20 kg in one segment, tied by a soft rope to a winch that stands, in a conveyor that runs backward
+ * and always covers it. */
 static hawser_status belt_start(double v_s, Stage *stage, hawser_error *err)
 {
     static const double CABLE = 4, ROPE = 2;
@@ -53,8 +53,8 @@ static hawser_status belt_start(double v_s, Stage *stage, hawser_error *err)
     return motion_start(&def, stage, err);
 }
 
-/* Mean period of the cycles between the second and the sixth time that the rope's tension rises through what slides,
- * s, and the tension's peak. */
+/* Mean period of the cycles between the second and the sixth time that the rope's tension rises through the sliding
+ * force, s, and the tension's peak. */
 static hawser_status belt_cycles(Stage *stage, double *period, double *peak, hawser_error *err)
 {
     enum { FIRST = 2, LAST = 6 };
@@ -150,8 +150,8 @@ static hawser_status atwood_rope(int n, SceneDef *def, double *length, hawser_er
     return HAWSER_OK;
 }
 
-/* The drum, with friction mu on the rope and this inertia (0: it stands). The contact line is that of straight
- * segments: the smooth one of a rope that is as limp as this takes steps of a microsecond. */
+/* The drum, with friction mu on the rope and this inertia (0: it does not turn). The contact line is that of straight
+ * segments: the smooth one of such a limp rope requires steps of a microsecond. */
 static void drum_add(SceneDef *def, double mu, double inertia)
 {
     def->geometry = GEOMETRY_CYLINDER;
@@ -170,9 +170,8 @@ static void drum_add(SceneDef *def, double mu, double inertia)
     def->output.interval = 1e-2;
 }
 
-/* The weights are the middles of the first and the last segment (a hair inside: beyond, the rod would be cut
- * otherwise).
- */
+/* The weights are in the middles of the first and the last segment (slightly inside: beyond, the rod would be cut
+ * otherwise). */
 static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *length, hawser_error *err)
 {
     SceneDef def;
@@ -186,8 +185,8 @@ static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *
     return motion_start(&def, stage, err);
 }
 
-/* What is found between two times: accelerations of the weights (m/s2) and of the drum (rad/s2), how far the rope has
- * moved in the mean (m). */
+/* Results between two times: accelerations of the weights (m/s2) and of the drum (rad/s2), mean distance moved by the
+ * rope (m). */
 typedef struct Fall {
     double linear, angular, moved, length;
 } Fall;
@@ -212,7 +211,8 @@ static hawser_status atwood_fall(const Atwood *a, int n, Fall *out, hawser_error
     return status;
 }
 
-/* (VA12) to (VA14); the rope's mass is a half with each weight, and what has moved over has changed sides. */
+/* (VA12) to (VA14); each weight has half of the rope's mass, and the part that has moved over the drum has changed
+ * sides. */
 static hawser_status atwood_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     static const int N[MESHES] = {40, 80, 160};
@@ -272,7 +272,7 @@ static hawser_status running_load(int n, double speed, double *load, hawser_erro
     return status;
 }
 
-/* (VA18): the momentum that turns round takes 2 m v^2 off the drum. */
+/* (VA18): the momentum of the rope that changes direction takes 2 m v^2 off the drum. */
 static hawser_status running_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;

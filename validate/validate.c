@@ -14,7 +14,7 @@ static const ValidationGroup *const groups[] = {
 
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* Room for one more row. No memory for it is remembered. What a NAN was found for is not ok. */
+/* Makes room for one more row. A lack of memory is remembered. A quantity with a NAN is not ok. */
 static void row_add(ValidationLog *log, const char *quantity, ValidationRow row)
 {
     if (log->n == log->room) {
@@ -75,8 +75,8 @@ void order_log(ValidationLog *log, int n, const double *x, const double *error, 
     log_near(log, quantity, "1", expected, order_of(n, x, error), tolerance);
 }
 
-/* A case that cannot be run is a quantity of its own, and the suite goes on: but not without memory, of which a
- * quantity says nothing. */
+/* A case that cannot be run is a quantity of its own, and the suite continues; but not without memory, since that says
+ * nothing about a quantity. */
 static void case_run(const ValidationCase *c, ValidationLog *log)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -141,7 +141,7 @@ hawser_status build_start(SceneDef *def, hawser_error *err)
     return error_memory(err);
 }
 
-/* What is not given follows from what is: the suite's scenes do not hang on it. */
+/* Values that are not given follow from those that are: the suite's scenes do not depend on them. */
 CableDef build_cable(double mass, double diameter, double ea, double ei)
 {
     return (CableDef){.name = "cable",
@@ -230,7 +230,7 @@ hawser_status pull_start(SceneDef *def, Sim **out, hawser_error *err)
     return status;
 }
 
-/* The first record is that of t = 0, which the loads at rest are taken from. */
+/* The first record is that of t = 0, from which the loads at rest are taken. */
 hawser_status pull_run(SceneDef *def, Sim **out, hawser_error *err)
 {
     static const double EVERY = 0.05; /* s */
@@ -297,7 +297,7 @@ void motion_turn(Stage *stage, int i, Quat attitude)
     q[3 * n] = attitude.z;
 }
 
-/* Joints n and 0 too: the ground's ends are set with the kinematics. */
+/* Also for joints n and 0: the ground's ends are set with the kinematics. */
 double *const *motion_law(Stage *stage)
 {
     dynamics_kinematics(&stage->scene, &stage->ws, stage->t, stage->y);
@@ -305,7 +305,7 @@ double *const *motion_law(Stage *stage)
     return stage->ws.law;
 }
 
-/* Springs hold law^2 / 2k each; a joint without stiffness holds nothing. */
+/* Each spring stores law^2 / 2k; a joint without stiffness stores nothing. */
 static double elastic_energy(Stage *stage)
 {
     const Chain *const c = &stage->scene.chain;
@@ -319,7 +319,7 @@ static double elastic_energy(Stage *stage)
     return energy;
 }
 
-/* Two passes: the spin is about the centre of mass, which the first one finds. */
+/* Two passes: the angular momentum is about the centre of mass, which the first one finds. */
 Balance motion_balance(Stage *stage)
 {
     const Chain *const c = &stage->scene.chain;

@@ -1,5 +1,5 @@
-/* The validation suite: scenes made in code, run, and held against what is known of them from elsewhere.
- * A case is a function that adds rows to a log; the cases of one subject are in one file and one table. */
+/* The validation suite: scenes made in code, run, and compared with what is known of them from other sources. A case is
+ * a function that adds rows to a log; the cases of one subject are in one file and one table. */
 #ifndef HAWSER_VALIDATE_VALIDATE_H
 #define HAWSER_VALIDATE_VALIDATE_H
 
@@ -11,7 +11,7 @@
 
 enum { VALIDATION_QUANTITY_MAX = 64 };
 
-/* How far `found` may be from `expected`: a share of it, as it is, or as an upper limit that `expected` then is. */
+/* Allowed difference of `found` from `expected`: a share of it, in its unit, or `expected` is an upper limit. */
 typedef enum ValidationKind { WITHIN_SHARE, WITHIN, AT_MOST } ValidationKind;
 
 typedef struct ValidationCase ValidationCase;
@@ -39,14 +39,14 @@ typedef struct ValidationLog {
 struct ValidationCase {
     const char *name;   /* lower case, words joined by dashes */
     const char *proves; /* in a few words */
-    const char *source; /* of what is expected */
-    int fast;           /* takes a moment: part of the default tests */
-    const void *setup;  /* what `run` gets, for cases that share it */
+    const char *source; /* of the expected value */
+    int fast;           /* 1: takes a moment: part of the default tests */
+    const void *setup;  /* argument of `run`, for cases that share it */
     /* Adds the case's rows. An error is that of a scene that could not be built or run. */
     hawser_status (*run)(const void *setup, ValidationLog *log, hawser_error *err);
 };
 
-/* The tables of cases, one a subject. */
+/* The tables of cases, one per subject. */
 typedef struct ValidationGroup {
     int n;
     const ValidationCase *cases; /* [n] */
@@ -66,23 +66,23 @@ void log_share(ValidationLog *log, const char *quantity, const char *unit, doubl
 /* Tolerance in the quantity's unit. */
 void log_near(ValidationLog *log, const char *quantity, const char *unit, double expected, double found,
               double tolerance);
-/* Something that should be small: at most `limit`. */
+/* Adds a quantity that should be small: at most `limit`. */
 void log_limit(ValidationLog *log, const char *quantity, const char *unit, double found, double limit);
-/* Adds the relative errors of n refinements, of which nothing is asked, and their order over x (`of`: what x is), which
- * should be near `expected`. */
+/* Adds the relative errors of n refinements, without limits, and their order over x (`of`: name of x), which should be
+ * near `expected`. */
 void order_log(ValidationLog *log, int n, const double *x, const double *error, const char *of, double expected,
                double tolerance);
 /* Case number i of the suite, in its order; NULL behind the last. */
 const ValidationCase *validation_case(int i);
-/* Runs the cases whose names hold `filter` (NULL: all), only the fast ones if `fast`, in the suite's order. A case that
- * fails adds a row that is not ok. Returns how many ran. Errors: MEMORY. */
+/* Runs the cases whose names contain `filter` (NULL: all), only the fast ones if `fast`, in the suite's order. A case
+ * that fails adds a row that is not ok. Returns the number run in *ran. Errors: MEMORY. */
 hawser_status validation_run(const char *filter, int fast, ValidationLog *log, int *ran, hawser_error *err);
 void validation_clear(ValidationLog *log);
-/* Quantities that are not ok. */
+/* Number of quantities that are not ok. */
 int validation_outside(const ValidationLog *log);
 /* Definitions of scenes for the suite, and pulls that are run from them. */
 
-/* How many there may be of pieces of route, rollers, surfaces, stations, terms of the paper. */
+/* Largest numbers of pieces of route, rollers, surfaces, stations, terms of the paper. */
 enum { ROUTE_MOST = 8, ROLLERS_MOST = 256, SURFACES_MOST = 1, STATIONS_MOST = 40, PAPER_MOST = 8 };
 
 /* Defaults, two empty kinds of cable and pieces of chain, and empty arrays of those lengths. Errors: MEMORY (then
@@ -96,54 +96,55 @@ void build_chain(SceneDef *def, CableDef cable, double length, int n);
 void build_straight(SceneDef *def, double length);
 void build_bend(SceneDef *def, double radius, double angle, double plane);
 void build_station(SceneDef *def, const char *name, double s);
-/* A roller 0.6 m wide that carries a cable of this diameter on the route at s; m. */
+/* A roller 0.6 m wide under a cable of this diameter on the route at s; m. */
 void build_roller(SceneDef *def, const Route *route, double radius, double diameter, double s);
 /* The route of the definition so far; route_clear frees it. Errors: MEMORY. */
 hawser_status build_route(const SceneDef *def, Route *route, hawser_error *err);
 /* Starts the definition of one cable in n segments on a level straight of its length. Errors: as build_start. */
 hawser_status build_line(SceneDef *def, CableDef cable, double length, int n, hawser_error *err);
-/* Pulls at the head, which comes to `speed` (m/s) in t1 s: clamped, or (axial) held along the pull only. */
+/* Pulls at the head, up to `speed` (m/s) in t1 s: clamped, or (axial) held along the pull only. */
 void build_pull(SceneDef *def, double speed, double t1, int axial);
-/* Builds the simulation and brings it to rest. The definition is taken apart in any case; *out is NULL after an error:
- * as sim_new, and RUN if there is no equilibrium. */
+/* Builds the simulation and brings it to equilibrium. The definition is used up in any case; *out is NULL after an
+ * error: as sim_new, and RUN if there is no equilibrium. */
 hawser_status pull_start(SceneDef *def, Sim **out, hawser_error *err);
 /* Starts, and runs to the definition's end with statistics every 50 ms. */
 hawser_status pull_run(SceneDef *def, Sim **out, hawser_error *err);
-/* ---- Rods: chains without a route, weightless and straight along x unless said otherwise (validate/rod_cases.c). */
+/* ---- Rods: chains without a route, weightless and straight along x unless set otherwise (validate/rod_cases.c). */
 
 /* A rod of n segments and `length` (m) of this cable, with room for 3 loads and 1 motion of the head; its ends are
  * free. Undamped, no gravity; statics in `steps` load steps from t = 0 to 1 s. Errors: MEMORY (nothing is left
  * allocated). */
 hawser_status rod_start(SceneDef *def, CableDef cable, double length, int n, int steps, hawser_error *err);
-/* Every component of an end. */
+/* Holds every component of an end. */
 void rod_clamp(RodEndDef *end);
-/* The place alone: free to turn all the way round. */
+/* Holds the place alone: the end is free to rotate. */
 void rod_pin(RodEndDef *end);
-/* A value in a direction: all the time, or growing from nothing at t = 0 in proportion to time to this size at 1 s. The
- * latter owns a table. Errors: MEMORY. */
+/* A value in a direction: constant, or growing from zero at t = 0 in proportion to time to this size at 1 s. The latter
+ * owns a table. Errors: MEMORY. */
 RodProfile rod_steady(Vec3 direction, double size);
 hawser_status rod_growing(Vec3 direction, double size, RodProfile *out, hawser_error *err);
 /* Adds a dead force (N) or moment (N m) at `at` m from the tail. */
 void rod_add_load(SceneDef *def, double at, int moment, RodProfile by);
-/* ---- The paper's case: cases/huangjiahu.yaml in code, which a test holds to the file (validate/paper_cases.c). */
+/* ---- The paper's case: cases/huangjiahu.yaml in code, which a test compares with the file
+ * (validate/paper_cases.c). */
 
-/* What of the case may be changed; zeros: as it is. */
+/* Changes of the case; zeros: none. */
 typedef struct PaperChoice {
     double ei;       /* N m2, of the cable */
     double segment;  /* m */
     double accuracy; /* of the integration */
-    double v_s;      /* m/s, sliding speed at which friction is full, of rollers and rope drag */
-    int rollers;     /* under the 58.5 m */
-    double onward;   /* m past the tunnel's end over which the rollers go on, as close */
-    double stiffer;  /* times the contacts' stiffness */
-    int capsules;    /* the contact line of straight segments in place of the smooth one */
+    double v_s;      /* m/s, sliding speed of full friction, of rollers and rope drag */
+    int rollers;     /* number under the 58.5 m */
+    double onward;   /* m past the tunnel's end with further rollers at the same distance */
+    double stiffer;  /* factor on the contacts' stiffness */
+    int capsules;    /* 1: the contact line of straight segments in place of the smooth one */
 } PaperChoice;
 
 /* Errors: MEMORY. */
 hawser_status paper_scene(const PaperChoice *choice, SceneDef *def, hawser_error *err);
-/* A chain that moves freely: its state is set and read by the suite. In space always, 13 numbers a segment. */
+/* A chain that moves freely: its state is set and read by the suite. Always in space, 13 numbers per segment. */
 
-/* Builds the stage of t = 0 in space; the definition is taken apart. stage_free must follow if it returns OK. */
+/* Builds the stage of t = 0 in space; the definition is used up. stage_free must follow if it returns OK. */
 hawser_status motion_start(SceneDef *def, Stage *stage, hawser_error *err);
 /* Integrates to t (s). */
 hawser_status motion_advance(Stage *stage, double t, hawser_error *err);
@@ -152,7 +153,7 @@ Vec3 motion_get(const Stage *stage, int at, int i);
 void motion_set(Stage *stage, int at, int i, Vec3 value);
 Quat motion_attitude(const Stage *stage, int i);
 void motion_turn(Stage *stage, int i, Quat attitude);
-/* What undamped motion conserves, or gravity alone changes. */
+/* Quantities that undamped motion conserves, or that only gravity changes. */
 typedef struct Balance {
     double mass;    /* kg */
     Vec3 centre;    /* m, of mass */
@@ -164,7 +165,7 @@ typedef struct Balance {
 } Balance;
 
 Balance motion_balance(Stage *stage);
-/* The bushings' wrenches now, law[0..5][joint] (core/bushing.h). */
+/* Present wrenches of the bushings, law[0..5][joint] (core/bushing.h). */
 double *const *motion_law(Stage *stage);
 
 #endif

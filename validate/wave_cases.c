@@ -1,12 +1,12 @@
-/* Waves along a straight chain: how fast they run, and what they leave where the cable changes. A pulse that runs
- * toward the head only is set up, v = f(x - c t) with strain -v/c, and looked at where it has come to. */
+/* Waves along a straight chain: their speed, and their reflection where the cable changes. A pulse that runs only
+ * toward the head is set up, v = f(x - c t) with strain -v/c, and measured where it has come to. */
 #include <math.h>
 
 #include "validate/validate.h"
 
 static const double SEGMENT = 0.25, SIGMA = 5; /* m: the pulse is f = exp(-(x - x0)^2 / 2 sigma^2) */
 
-/* Number of the first segment's array in the state that the pulse moves, and along which the speeds are. */
+/* Kinds of pulse: displacement along the chain, or rotation about its axis. */
 typedef enum WaveKind { AXIAL_WAVE, TORSION_WAVE } WaveKind;
 
 /* A chain of one or two cables, free at both ends, without weight and damping. */
@@ -34,7 +34,7 @@ static hawser_status chain_start(CableDef first, double length, CableDef second,
     return motion_start(&def, stage, err);
 }
 
-/* What the pulse's speeds have come along: -integral of f / c from the far side, as position or turn about the axis. */
+/* Displacement by the pulse's speeds: -integral of f / c from the far side, as position or rotation about the axis. */
 static double pulse_shift(double x, double c) { return SIGMA * sqrt(M_PI / 2) / c * (1 - erf(x / (SIGMA * M_SQRT2))); }
 
 /* Adds the pulse around x0 (m from the start) to the segments before `to`. */
@@ -58,7 +58,7 @@ static double speed_of(const Stage *stage, WaveKind kind, int i)
     return motion_get(stage, kind == AXIAL_WAVE ? STATE_V : STATE_W, i).x;
 }
 
-/* Where the pulse is: the mean place of its kinetic energy, m. */
+/* Place of the pulse: the mean place of its kinetic energy, m. */
 static double pulse_place(const Stage *stage, WaveKind kind)
 {
     double sum = 0, moment = 0;
@@ -99,8 +99,8 @@ static double pulse_area(const Stage *stage, int from, int to)
     return area;
 }
 
-/* From a cable of impedance Z1 = sqrt(EA m) into a rope of Z2: velocities (Z1 - Z2)/(Z1 + Z2) come back and
- * 2 Z1/(Z1 + Z2) go on, longer by the ratio of the wave speeds. */
+/* From a cable of impedance Z1 = sqrt(EA m) into a rope of Z2: velocities (Z1 - Z2)/(Z1 + Z2) are reflected and 2
+ * Z1/(Z1 + Z2) transmitted, longer by the ratio of the wave speeds. */
 static hawser_status jump_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -133,10 +133,10 @@ static const ValidationCase wave_cases[] = {
 
 const ValidationGroup wave_group = VALIDATION_GROUP(wave_cases);
 
-/* How errors fall with the segments and with the integrator's accuracy: the slope of log error over log of what was
- * refined, by regression over four refinements or more. */
+/* Fall of errors with the segments and with the integrator's accuracy: the slope of log error over log of the refined
+ * quantity, by regression over four refinements or more. */
 
-/* The free end of a cantilever 1 m long, clamped at its head, under its own weight: how far it sinks, m. */
+/* Sinking, m, of the free end of a cantilever 1 m long, clamped at its head, under its own weight. */
 static hawser_status cantilever_sinks(int n, double mass, double EI, double GA, double *out, hawser_error *err)
 {
     SceneDef def;
@@ -177,7 +177,7 @@ static hawser_status linear_run(const void *setup, ValidationLog *log, hawser_er
     return status;
 }
 
-/* The same bent far: against the value to which the finest two tend. */
+/* The same with large deflection: relative to the limit of the finest two. */
 static hawser_status bent_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -195,7 +195,7 @@ static hawser_status bent_run(const void *setup, ValidationLog *log, hawser_erro
     return HAWSER_OK;
 }
 
-/* Where the tail's segment of a chain swinging from its head is after 1 s, m. */
+/* Place of the tail's segment of a chain swinging from its head after 1 s, m. */
 static hawser_status swing_end(double accuracy, int max_order, Vec3 *out, hawser_error *err)
 {
     SceneDef def;
@@ -215,7 +215,8 @@ static hawser_status swing_end(double accuracy, int max_order, Vec3 *out, hawser
     return status;
 }
 
-/* A method of order p whose local errors are held to the tolerance has errors like its power p/(p + 1) (VA3). */
+/* A method of order p whose local errors are kept at the tolerance has errors proportional to its power p/(p + 1)
+ * (VA3). */
 static hawser_status accuracy_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     enum { COUNT = 5 };

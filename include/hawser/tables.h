@@ -99,7 +99,7 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_FINISHED,          /* the run reached its end */
     HAWSER_CONDITION_STEADY_WINDOW,     /* the run reached the steady window */
     HAWSER_CONDITION_EQUILIBRIUM,       /* the cable came to rest before t = 0; of positions, each is in equilibrium */
-    HAWSER_CONDITION_TAUT,              /* of positions, nothing is pushed */
+    HAWSER_CONDITION_TAUT,              /* of positions, nothing is in compression */
     HAWSER_CONDITION_STABLE,            /* the equilibrium is stable */
     HAWSER_CONDITION_ENERGY,            /* the balance of energy closes */
     HAWSER_CONDITION_MOMENTUM,          /* the balance of momentum closes */
@@ -111,19 +111,19 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_OVERLAP,           /* cables do not lie inside each other */
     HAWSER_CONDITION_ORIENTATION,       /* neither head nor joints have turned over */
     HAWSER_CONDITION_MESH,              /* segments are short enough */
-    HAWSER_CONDITION_FRICTION_SPEED,    /* the pull is faster than friction needs to come in */
+    HAWSER_CONDITION_FRICTION_SPEED,    /* the pull is fast enough for full friction */
     HAWSER_CONDITION_NUMERICAL_ERROR,   /* error bound of the mean pull */
     HAWSER_CONDITION_NUMERICAL_PEAK,    /* error bound of the largest pull */
     HAWSER_CONDITION_DECIDED,           /* limits hold by more than their figures may be off */
     HAWSER_CONDITION_PUSHED,            /* the cable does not push the winch */
     HAWSER_CONDITION_DRAWN,             /* the cable moves in the steady window */
-    HAWSER_CONDITION_SHARED,            /* it is decided how a belt and the winch share the pull */
+    HAWSER_CONDITION_SHARED,            /* how belt and winch share the pull is determined */
     HAWSER_CONDITION_STEADY,            /* the pull is even over the steady window */
     HAWSER_CONDITION_START_JOLT,        /* the largest pull is not the jolt of the start */
-    HAWSER_CONDITION_PEAK,              /* the largest pull is no single spike */
-    HAWSER_CONDITION_WAVES,             /* segments are short enough for the waves of a cable that is pushed */
-    HAWSER_CONDITION_SUPPORTED,         /* of theory: the cable is supported from below and laterally */
-    HAWSER_CONDITION_FRICTION,          /* of theory: no surface has more friction than assumed */
+    HAWSER_CONDITION_PEAK,              /* the largest pull is not a single spike */
+    HAWSER_CONDITION_WAVES,             /* segments resolve the waves of a cable in compression */
+    HAWSER_CONDITION_SUPPORTED,         /* of theory: the cable is held up and to the side all along */
+    HAWSER_CONDITION_FRICTION,          /* of theory: there is as much friction as the surfaces have */
     HAWSER_CONDITION_MEDIUM,            /* of theory: the medium resists little */
     HAWSER_CONDITION_DRIVE,             /* of theory: machines act as theory assumes */
     HAWSER_CONDITION_PULLED,            /* of theory: the cable is in tension everywhere */

@@ -3,7 +3,7 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 
-/* Candidates hold for a motion of the order of the cable's own radius, so that a wound cable has its neighbours as
+/* The candidates' reach is of the order of the cable's own radius, so that only neighbours of a wound cable are
  * candidates and not the whole drum: they are the blocks of the matrix. */
 static hawser_status self_build(Room *room, Scene *scene, hawser_error *err)
 {
@@ -85,7 +85,7 @@ static void self_stock(const Room *room, const Moment *m, const double *own, Bal
     for (int p = 0; p < PARTS; ++p) out->energy[IN_CABLE] += m->ws->self.work[p].energy;
 }
 
-/* How many there are is by the last evaluation, as is what the books read of it: that stays. */
+/* The number of contacts and their figures come from the last evaluation and remain as they are. */
 static int self_look(const Room *room, const Moment *m)
 {
     SelfPairs *const pairs = &m->ws->self;

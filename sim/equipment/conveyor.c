@@ -1,6 +1,6 @@
 /* Motors of rollers that spin: set torque or set speed. docs/model.md, "Rollers that spin and rollers on mounts",
- * "Motor". The torque acts where the bearing's does (sim/equipment/rollers.h); what it is set to at a time, who
- * pays for it and what a run says of it is here. */
+ * "Motor". The torque acts where the bearing's does (sim/equipment/rollers.h); this file has its value over time, its
+ * source of energy and its figures of a run. */
 #include "sim/equipment/conveyor.h"
 
 #include <math.h>
@@ -18,24 +18,25 @@
 
 typedef struct Motor {
     const RollerDef *roller; /* of the scene's definition */
-    int item;                /* which of the moving rollers */
-    double way;              /* 1 or -1: times its turning about the roller's axis goes with the pull */
+    int item;                /* index among the moving rollers */
+    double way;              /* 1 or -1: sign of a turning about the roller's axis that goes with the pull */
 } Motor;
 
 typedef struct Motors {
     int n;
-    Motor *motor; /* [n], by place; those that are listed by coordinates behind the others */
+    Motor *motor; /* [n], by place along the route; rollers listed by coordinates come last */
 } Motors;
 
 /* ---------------------------------------------------------------------------------------------------- building */
 
-/* From the roller's centre to the cable on the route, unit. It has a place there. */
+/* Unit vector from the roller's centre to the cable on the route; the roller must have a place on the route. */
 static Vec3 toward_cable(const Scene *scene, const RollerDef *roller)
 {
     return v3_unit(v3_sub(route_at(&scene->route, roller->s).position, roller->centre));
 }
 
-/* Which turning about its axis drives the cable along the pull; one that is listed says so by its axis. */
+/* Sign of the turning about the roller's axis that drives the cable along the pull; the axis of a roller listed by
+ * coordinates defines it. */
 static double way_of(const Scene *scene, const RollerDef *roller)
 {
     if (isnan(roller->s)) return 1;
@@ -50,7 +51,7 @@ static int by_place(const void *a, const void *b)
     return (first > second) - (first < second);
 }
 
-/* After the rollers' room, of whose moving rollers they are. */
+/* Called after the rollers are built, since it refers to the moving rollers. */
 static hawser_status motors_build(Room *room, Scene *scene, hawser_error *err)
 {
     const Equipment *const q = scene->equipment;
@@ -100,7 +101,7 @@ static void motors_pose(const Room *room, const Moment *m, const double *own)
     }
 }
 
-/* Where a ramp ends; what runs with the winch has the winch's corners. */
+/* End of a ramp; a motor that follows the winch has the winch's corners. */
 static double motors_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -113,7 +114,7 @@ static double motors_next_stop(const Room *room, const Scene *scene, double t)
     return next;
 }
 
-/* On the rollers, whose push on the cable is told apart. */
+/* The motors act on the rollers; the rollers' push on the cable is counted apart. */
 static void motors_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     (void)room;
@@ -126,8 +127,8 @@ static int motors_count(const Room *room) { return ((const Motors *)room->self)-
 
 static const char *motors_name(const Room *room, int i) { return ((const Motors *)room->self)->motor[i].roller->name; }
 
-/* Torque and surface speed with the pull, power, and whether the motor is at its limit: a set speed that takes all the
- * torque, a set torque that the speed limit cuts. */
+/* Torque and surface speed along the pull, power, and whether the motor is at its limit: a set speed that needs the
+ * full torque, or a set torque that the speed limit reduces. */
 static void motors_keep(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX])
 {
     const Motor *const motor = &((const Motors *)room->self)->motor[i];
@@ -174,14 +175,14 @@ const RoomKind MOTORS_ROOM = {.name = "motors",
                               .machines = &MOTORS,
                               .in_space = "rollers have motors"};
 
-/* How far from a machine's line a cable can be and still count as passing through it, m. */
+/* Largest distance from a machine's line at which a cable still counts as passing through it, m. */
 static const double ASIDE_MAX = 1;
 
-/* Of the belts' give over v_s (WI21), s: their lean at the full grip is v_s times this. */
+/* Compliance of the belts over v_s (WI21), s: their lean at the full grip is v_s times this. */
 static const double GIVE = 0.02;
 
-/* A straight machine between two points of the route. It gives way by 1 mm under the cable's weight, half critically
- * damped, as the lead-in does (F1). */
+/* A straight machine between two points of the route. Its hold across the line yields by 1 mm under the cable's weight,
+ * half critically damped, as that of the lead-in (F1). */
 static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g)
 {
     const Vec3 in = route_at(route, def->from).position, out = route_at(route, def->to).position;
@@ -209,7 +210,7 @@ static double conveyor_belt(const Conveyor *c, const Winch *w, double t)
     return c->sync ? c->factor * winch_speed(w, t) : profile_value(&c->speed, t);
 }
 
-/* Whatever drives it, it stops where it jams (JA3). */
+/* Speed of the belt; it stops if the conveyor jams (JA3), whatever drives it. */
 static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seized, double t)
 {
     const double belt = conveyor_belt(c, w, t);
@@ -234,7 +235,7 @@ Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, dou
     return belt;
 }
 
-/* (WI13) integrated from a machine's end to x <= length/2: a ramp by STEP, then level. *slope gets the integrand. */
+/* Integral of (WI13) from a machine's end to x <= length/2: a ramp by STEP, then level. *slope gets the integrand. */
 static double half_area(double edge, double x, double *slope)
 {
     if (x <= 0) {
@@ -260,7 +261,8 @@ double conveyor_share(const Conveyor *c, double x, double *slope)
 }
 
 /* ---------------------------------------------------------------------------------------- which segments are near */
-/* Distance of a segment's extent from the machine's, along its line; a segment that is far aside is as far away. */
+/* Distance of a segment's extent from the machine's, along its line; if the segment is far to the side, that
+ * distance. */
 static double distance_of(const Conveyor *c, Vec3 p, double half)
 {
     const Vec3 off = v3_sub(p, c->origin);
@@ -287,7 +289,7 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
     }
     range->count = last < 0 ? 0 : last - range->first + 1;
     range->at = state_vector(y, n, STATE_P, range->watched);
-    /* a quarter of it is kept in hand for the motion within a step; far away, half of the way will do */
+    /* a quarter of the reach is reserved for the motion within a step; far away half of the distance suffices */
     range->free = fmax(0.75 * reach, 0.5 * nearest);
 }
 
@@ -299,13 +301,13 @@ int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double 
 
 /* ----------------------------------------------------------------------------------------------------------- forces */
 
-/* How far segment i at x is ahead of its place on the belt, m (WI21). */
+/* Distance by which segment i at x is ahead of its place on the belt, m (WI21). */
 static double lean_at(const ConveyorRange *range, const Belt *belt, int i, double x)
 {
     return range->lean[i] + (belt->elapsed > 0 ? x - range->x[i] - belt->elapsed * belt->mean : 0);
 }
 
-/* What slips takes its place along. */
+/* A segment that slips takes its place on the belt along. */
 void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
                    ConveyorRange *range)
 {
@@ -325,14 +327,14 @@ void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, cons
 /* One segment in a machine. */
 typedef struct Held {
     double grips;           /* 1, or 0 where belts are open */
-    double share, d_share;  /* of the grip (WI14), 1; d/dx, 1/m */
-    double cover, d_cover;  /* share of its length that is held, d/dx */
+    double share, d_share;  /* share of the grip (WI14), 1; d/dx, 1/m */
+    double cover, d_cover;  /* share of its length that is in the grip, d/dx */
     double slip;            /* m/s */
-    double pull, pull_by_x; /* m/s: slip and lean together (WI21); d/dx, 1/s */
+    double pull, pull_by_x; /* m/s: slip and lean combined (WI21); d/dx, 1/s */
     Vec3 off, v_off;        /* m, m/s: across the machine's line */
 } Held;
 
-/* 0 if the segment is outside. */
+/* Returns 0 if the segment is outside. */
 static int held_at(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                    const Kinematics *kin, int i, Held *out)
 {
@@ -356,7 +358,7 @@ static int held_at(const Conveyor *c, const ConveyorRange *range, const Belt *be
     return 1;
 }
 
-/* The grip's force on all of its share over the slip (or what pulls at it), against it, and its slope (WI15). */
+/* Force of the whole grip against the slip (or against slip and lean combined), and its slope (WI15). */
 static double grip_force(const Conveyor *c, const Belt *belt, double slip, double *slope)
 {
     double curve;
@@ -365,7 +367,7 @@ static double grip_force(const Conveyor *c, const Belt *belt, double slip, doubl
     return -belt->grip * over * slip;
 }
 
-/* The hold per mass on a segment that is wholly covered, m/s2 (WI16). */
+/* Force per mass across the line on a segment that is wholly in the grip, m/s2 (WI16). */
 static Vec3 hold_force(const Conveyor *c, const Held *held)
 {
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
@@ -423,9 +425,9 @@ void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Belt *
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------- the room */
+/* -------------------------------------------------------------------------------------------- the equipment kind */
 
-/* What has a machine in its belts, as of the last accepted step. */
+/* Cable in a machine's belts, as of the last accepted step. */
 typedef struct Filled {
     double cover; /* share of the grip that has cable */
     int grips;    /* -1: not known yet */
@@ -436,8 +438,8 @@ typedef struct Filled {
 typedef struct Conveyors {
     int n;
     Conveyor *item;         /* [n], in the case's order */
-    const Seizure **seized; /* [n] what stops it; NULL: nothing does */
-    Seizure *told;          /* [n] what stops it by command */
+    const Seizure **seized; /* [n] seizure that stops it; NULL: none */
+    Seizure *told;          /* [n] seizure by commands */
     Filled *filled;         /* [n] */
 } Conveyors;
 
@@ -484,7 +486,7 @@ static const char *conveyors_seize(Room *room, const Scene *scene, const char *n
     return NULL;
 }
 
-/* Ranges [n], and behind them, in the same piece of memory, what they keep of all segments. */
+/* Allocates the ranges [n] and behind them, in the same block, what they keep of all segments. */
 static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     const size_t n = (size_t)((const Conveyors *)room->self)->n, segments = (size_t)scene->chain.n;
@@ -500,7 +502,7 @@ static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace 
     return 1;
 }
 
-/* What is kept goes over with its segments. */
+/* Kept figures move with their segments. */
 static void conveyors_carry(const Room *room, Workspace *from, Workspace *to, int joined)
 {
     const Conveyors *const all = room->self;
@@ -512,7 +514,7 @@ static void conveyors_carry(const Room *room, Workspace *from, Workspace *to, in
     }
 }
 
-/* How conveyor i's belt runs. */
+/* Motion of conveyor i's belt. */
 static Belt belt_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;
@@ -520,7 +522,7 @@ static Belt belt_of(const Room *room, const Moment *m, int i)
     return conveyor_runs(&all->item[i], m->scene->winch, all->seized[i], range[i].since, m->t);
 }
 
-/* Few segments, and their loads come in the order of the machines: no work for two. */
+/* There are few segments, and their loads are added in the order of the machines: one thread does it all. */
 static void conveyors_loads(const Room *room, const Moment *m, int part)
 {
     const Conveyors *const all = room->self;
@@ -541,7 +543,7 @@ static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, B
     }
 }
 
-/* Share of machine i's grip that has cable in it, by where segments are along its line. */
+/* Share of machine i's grip that has cable in it, by the positions of segments along its line. */
 static double cover_of(const Conveyor *c, const Chain *chain, const ConveyorRange *range)
 {
     double cover = 0, slope;
@@ -552,14 +554,14 @@ static double cover_of(const Conveyor *c, const Chain *chain, const ConveyorRang
     return cover;
 }
 
-/* Rope at the chain's head, which belts that grip cable alone let pass. */
+/* Number of segments of rope at the chain's head, for which belts that grip cable alone stay open. */
 static int open_for(const Conveyor *c, const Scene *scene)
 {
     const int rope = scene->first + scene->chain.n - scene->eye;
     return c->def->grips_rope || rope < 0 ? 0 : rope < scene->chain.n ? rope : scene->chain.n;
 }
 
-/* Keeps where the cable is, and finds again what is in those past which it has moved on. */
+/* Records the cable's position, and finds the segments again in those machines where it has moved on too far. */
 static void conveyors_follow(const Room *room, const Moment *m, const double *y, int always)
 {
     const Conveyors *const all = room->self;
@@ -582,7 +584,7 @@ static int conveyors_watch(const Room *room)
     return WATCH_PULL;
 }
 
-/* Closed when half of the belts have cable, with some play. */
+/* The belts close when half of their length has cable, with some hysteresis. */
 static Occurrence conveyors_happen(Room *room, const Occasion *now)
 {
     (void)now;
@@ -653,7 +655,7 @@ static void conveyors_controls(Room *room, ControlsVisit *visit)
     }
 }
 
-/* What conveyor i does, for the kinematics in the workspace. */
+/* Force, slip and belt of conveyor i, for the kinematics in the workspace. */
 static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;

@@ -22,7 +22,7 @@ TailPull tail_pull(const Scene *scene, double t, Vec3 end, double near)
     return (TailPull){v3_scale(-tension, at.tangent), at.tangent, v3_scale(-tension / way, at.curvature)};
 }
 
-/* m, by which the tail's place changes, or it is off the route there, if it has been laid elsewhere. */
+/* m, jump of the tail's place, or distance off the route there, from which the tail counts as laid elsewhere */
 static const double LAID = 1;
 
 double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew)
@@ -36,7 +36,7 @@ double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew)
     return v3_norm(v3_sub(end, other.position)) < v3_norm(v3_sub(end, at.position)) ? elsewhere : place;
 }
 
-/* With the arm of the tail's end face. */
+/* Force on the tail with its arm to the tail's end face. */
 typedef struct TailForce {
     TailPull pull;
     Vec3 arm; /* m */
@@ -72,7 +72,7 @@ double drag_size(const Drag *drag, double speed, double *slope)
     return -drag->force * over_speed * speed;
 }
 
-/* ------------------------------------------------------------------------------------------------------- the room */
+/* -------------------------------------------------------------------------------------------- the equipment kind */
 
 static hawser_status ends_build(Room *room, Scene *scene, hawser_error *err)
 {
@@ -85,15 +85,15 @@ static hawser_status ends_build(Room *room, Scene *scene, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Where the cable hangs on friction while it is pulled, a brake holds it before the start, and is let go before the
- * winch has moved enough for friction to hold it and the brake both (BK11). */
+/* A cable that friction holds back while it is pulled is held by a brake before the start; the brake is released before
+ * the winch has moved so far that friction and brake both hold the cable (BK11). */
 static hawser_status ends_finish(Room *room, Scene *scene, hawser_error *err)
 {
     (void)room;
     const Profile *const speed = &scene->def.winch.speed;
     const double starts = speed->kind == PROFILE_STEP || speed->kind == PROFILE_STEP5 ? speed->t1 : 1;
     const hawser_status status = buckling_held_at_rest(&scene->setup, &scene->tail_held, err);
-    if (scene->tail.kind == PROFILE_TABLE) scene->tail_held = NAN; /* it says for itself when what is there */
+    if (scene->tail.kind == PROFILE_TABLE) scene->tail_held = NAN; /* a table gives the tension at every time */
     if (status || isnan(scene->tail_held)) return status;
     scene->tail = (Profile){.kind = PROFILE_STEP, .v0 = scene->tail_held, .t1 = starts / 4, .v1 = scene->tail.v1};
     return HAWSER_OK;
@@ -120,7 +120,7 @@ static void ends_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     (void)room;
     const Kinematics *const kin = &m->ws->kin;
     const TailForce tail = tail_force(m);
-    for (int c = 0; c < 3; ++c) { /* the end moves, and the arm turns */
+    for (int c = 0; c < 3; ++c) { /* derivatives: the end moves, and the arm turns */
         const Vec3 e = v3_axis(c), swing = v3_cross(e, tail.arm);
         const Vec3 moved = v3_scale(v3_dot(tail.pull.along, e), tail.pull.turned);
         const Vec3 swung = v3_scale(v3_dot(tail.pull.along, swing), tail.pull.turned);
@@ -140,7 +140,7 @@ static void ends_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     }
 }
 
-/* The tail begins where it is laid. */
+/* The tail begins at its place in the initial shape. */
 static int ends_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     (void)room;
@@ -165,7 +165,7 @@ static void ends_checkpoint(Checkpoint *c, const Room *room, const Scene *scene,
     (void)room;
     (void)scene;
     CHECKPOINT(c, ws->tail_at);
-    checkpoint_check(c, isfinite(ws->tail_at), "a tail that is nowhere");
+    checkpoint_check(c, isfinite(ws->tail_at), "the tail's place is not a number");
 }
 
 static double ends_next_stop(const Room *room, const Scene *scene, double t)
@@ -190,7 +190,7 @@ static void ends_work(const Room *room, const Moment *m, BalanceRates *out)
     out->push[PUSH_DRAG] = v3_scale(size, a);
 }
 
-/* The plane has these loads too (sim/solve/planar.c). */
+/* The planar equations have these loads too (sim/solve/planar.c). */
 static const char *ends_not_planar(const Room *room, const Scene *scene)
 {
     (void)room;

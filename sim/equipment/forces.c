@@ -13,7 +13,7 @@
 static hawser_status forces_build(Room *room, Scene *scene, hawser_error *err)
 {
     (void)scene;
-    room->self = calloc(1, sizeof(Outside)); /* not present before it is told something */
+    room->self = calloc(1, sizeof(Outside)); /* not present until a command or a law arrives */
     return room->self ? HAWSER_OK : error_memory(err);
 }
 
@@ -21,7 +21,7 @@ Outside *outside_of(Scene *scene) { return room_of(scene, &FORCES_ROOM)->self; }
 
 /* ------------------------------------------------------------------------------------------------- one segment */
 
-/* Force and moment about the middle, world. */
+/* Force, and moment about the segment's centre, world. */
 typedef struct Wrench {
     Vec3 force, moment;
 } Wrench;
@@ -31,7 +31,7 @@ static Quat attitude_of(const Kinematics *kin, int i)
     return (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
 }
 
-/* (K7): what turns with the segment, and the arm at which the force acts. */
+/* (K7): what turns with the segment is rotated; also returns the arm of the force. */
 static Wrench force_now(const OutsideForce *f, const Kinematics *kin, int i, double t, Vec3 *arm)
 {
     const Quat q = attitude_of(kin, i);
@@ -48,7 +48,7 @@ static void force_add(const OutsideForce *f, const Kinematics *kin, int i, doubl
     loads_add(loads, i, w.force, v3_add(w.moment, v3_cross(arm, w.force)));
 }
 
-/* (K8): a dead force's arm turns; of one that follows everything does. */
+/* (K8): the arm of a dead force turns; of a follower, force, moment and arm turn. */
 static void force_blocks(const OutsideForce *f, const Kinematics *kin, int i, double t, double *k)
 {
     Vec3 arm;
@@ -88,7 +88,7 @@ static int all_finite(const double *values, int n)
     return finite;
 }
 
-/* One call; by_place, by_motion NULL: without derivatives. */
+/* Calls the law once; by_place, by_motion NULL: without derivatives. */
 static void law_call(Outside *all, const hawser_segment_now *at, double wrench[6], double *by_place, double *by_motion)
 {
     for (int c = 0; c < 6; ++c) wrench[c] = 0;
@@ -109,7 +109,7 @@ static void law_loads(const Moment *m, Outside *all, int i, Loads *loads)
     loads_add(loads, i, v3(w[0], w[1], w[2]), v3(w[3], w[4], w[5]));
 }
 
-/* The state with direction c (place, turning, velocity, omega by threes) moved by h. */
+/* The state, moved by h in direction c (place, turning, velocity, omega, three each). */
 static hawser_segment_now moved(const hawser_segment_now *from, int c, double h)
 {
     hawser_segment_now at = *from;
@@ -124,7 +124,7 @@ static hawser_segment_now moved(const hawser_segment_now *from, int c, double h)
     return at;
 }
 
-/* (K10): central differences, of a size at which what they leave out and rounding are alike. */
+/* (K10): central differences; the step makes the truncation error about equal to rounding. */
 static void law_differences(Outside *all, const hawser_segment_now *at, double by_place[36], double by_motion[36])
 {
     static const double step[4] = {1e-6, 1e-6, 1e-6, 1e-6}; /* m, rad, m/s, rad/s */
@@ -139,7 +139,7 @@ static void law_differences(Outside *all, const hawser_segment_now *at, double b
     }
 }
 
-/* Row by row into a block, which is column by column. */
+/* Adds row-major rows to a block, which is column-major. */
 static void block_add(const double rows[36], double *block)
 {
     for (int r = 0; r < 6; ++r) {
@@ -160,7 +160,7 @@ static void law_blocks(const Moment *m, Outside *all, int i, double *k, double *
     block_add(by_motion, d);
 }
 
-/* Those of the law's segments that are simulated: from .. *to-1 of the chain. */
+/* The law's segments that are simulated: from .. *to-1 of the chain. */
 static int law_from(const Outside *all, const Scene *scene, int *to)
 {
     const int from = all->law.from - scene->first, end = all->law.to - scene->first, n = scene->chain.n;
@@ -170,7 +170,7 @@ static int law_from(const Outside *all, const Scene *scene, int *to)
 
 /* ------------------------------------------------------------------------------------------------------ a step */
 
-/* Where in the chain a force acts; -1: its segment is not simulated now. */
+/* Index in the chain of the segment on which a force acts; -1: it is not simulated now. */
 static int place_of(const OutsideForce *f, const Scene *scene)
 {
     const int i = f->segment - scene->first;
@@ -238,7 +238,7 @@ static void forces_work(const Room *room, const Moment *m, BalanceRates *out)
 
 /* ---------------------------------------------------------------------------------------------------- commands */
 
-/* Those that have gone leave the list. */
+/* Removes the forces that have faded out from the list. */
 static void gone_drop(Outside *all, double t)
 {
     int left = 0;
@@ -249,7 +249,7 @@ static void gone_drop(Outside *all, double t)
     all->n = left;
 }
 
-/* (K9): the old ones of the segment go while the new one comes. */
+/* (K9): the old forces of the segment fade out while the new one fades in. */
 static int forces_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
 {
     Outside *const all = room->self;
@@ -294,7 +294,7 @@ void outside_attend(Scene *scene, int law)
     room->present = all->n > 0 || (law && all->law.call);
 }
 
-/* The law is the caller's: who loads has set it. */
+/* The law belongs to the caller, who sets it again after loading. */
 static void forces_controls(Room *room, ControlsVisit *visit)
 {
     Outside *const all = room->self;
@@ -315,12 +315,12 @@ const RoomKind FORCES_ROOM = {.name = "forces from outside",
                               .controls = forces_controls,
                               .in_space = "forces act on segments from outside"};
 
-/* Jams: a roller or a conveyor that stops in mid-run, at a time or when the cable's front comes to a place, and perhaps
- * one that is released again. docs/model.md, "Jams" (JA1)-(JA6).
+/* Jams: a roller or a conveyor stops during the run, at a time or when the cable's front reaches a place, and may be
+ * released again. docs/model.md, "Jams" (JA1)-(JA6).
  *
- * A jam acts through the room of what jams: that is given a Seizure when the scene is built and looks at its share at
+ * A jam acts through the equipment that jams: it is given a Seizure when the scene is built and reads its share at
  * every evaluation. Between two events the share is a function of time alone; it changes after accepted steps only, in
- * jams_happen(). What a jam does to a roller or a belt stands there, not here. */
+ * jams_happen(). The effect of a jam on a roller or a belt is in their own files. */
 
 typedef enum JamDoing { JAM_WAITS, JAM_HOLDS, JAM_IS_OVER } JamDoing;
 
@@ -328,7 +328,7 @@ typedef struct Jam {
     const JamDef *def; /* the scene's */
     JamDoing doing;
     Seizure seizure;
-    char says[2][NAME_MAX_LENGTH + 32]; /* when it begins, when it is over */
+    char says[2][NAME_MAX_LENGTH + 32]; /* texts of its beginning and its end */
 } Jam;
 
 typedef struct Jams {
@@ -356,7 +356,7 @@ static void jams_clear(Room *room)
     if (all) free(all->item);
 }
 
-/* When all rooms are built: hands the seizure to whose name it is. */
+/* Called when all equipment is built: gives each jam's seizure to the equipment of that name. */
 static hawser_status jams_finish(Room *room, Scene *scene, hawser_error *err)
 {
     const Jams *const all = room->self;
@@ -398,17 +398,17 @@ int seizure_command(Seizure *told, const Seizure *by, const Command *c, double t
 
 static const double ON_TIME = 1e-9; /* s: the integrator stops at an event's time up to rounding */
 
-/* At a time (s) or a place of the cable's front (m); NAN: not by this (JA1). */
+/* Checks a time (s) or a place of the cable's front (m) for being reached; NAN: not given (JA1). */
 static int due(double at, double front, const Occasion *now) { return now->t >= at - ON_TIME || now->front >= front; }
 
-/* From now on the share goes from `from` to `to` by STEP (JA2). */
+/* Starts a ramp of the share from `from` to `to` by STEP (JA2). */
 static void share_begin(Jam *jam, JamDoing doing, double t, double from, double to)
 {
     jam->doing = doing;
     jam->seizure.share = (Profile){.kind = PROFILE_STEP, .t0 = t, .v0 = from, .t1 = t + jam->seizure.ramp, .v1 = to};
 }
 
-/* A jam is released when it is complete, not before. */
+/* A jam is released only after it is complete. */
 static Occurrence jam_happen(Jam *jam, const Occasion *now)
 {
     const JamDef *const def = jam->def;
@@ -441,7 +441,7 @@ static void jams_controls(Room *room, ControlsVisit *visit)
     }
 }
 
-/* The pull is told with every event; the front, where a jam still waits for it. */
+/* The pull is reported with every event; the front is needed while a jam waits for it. */
 static int jams_watch(const Room *room)
 {
     const Jams *const all = room->self;
@@ -455,7 +455,7 @@ static int jams_watch(const Room *room)
     return watched;
 }
 
-/* Events at a time are met exactly; so are the ends of the ramps. */
+/* Events at a given time are met exactly; so are the ends of the ramps. */
 static double jams_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -478,4 +478,4 @@ const RoomKind JAM_ROOM = {.name = "jams",
                            .happen = jams_happen,
                            .next_stop = jams_next_stop,
                            .controls = jams_controls,
-                           .in_space = "something jams in mid-run, which theory does not know"};
+                           .in_space = "something jams during the run, which theory does not cover"};

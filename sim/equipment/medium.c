@@ -1,5 +1,5 @@
-/* Air or water around the chain: drag that grows with the square of the speed, a current, buoyancy.
- * docs/model/82-medium.md (MD1)-(MD6). Added mass is not there. */
+/* Air or water around the chain: drag quadratic in the speed, a current, buoyancy. docs/model/82-medium.md (MD1)-(MD6).
+ * Added mass is not modelled. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,7 +9,7 @@
 #include "sim/equipment/rooms.h"
 #include "sim/scene.h"
 
-/* Drag of half a segment over its speed through the fluid squared, N s2/m2. */
+/* Drag of half a segment over the square of its speed through the fluid, N s2/m2. */
 typedef struct Resistance {
     double across, along;
 } Resistance;
@@ -21,7 +21,7 @@ static Resistance resistance_of(const MediumDef *fluid, const Chain *chain, int 
     return (Resistance){.across = skin * fluid->normal, .along = M_PI * skin * fluid->tangential};
 }
 
-/* The force on a half segment with axis a that moves through the fluid with u (MD1). */
+/* Force on a half segment with axis a that moves through the fluid with u (MD1). */
 static Vec3 drag_force(Resistance c, Vec3 a, Vec3 u)
 {
     const double along = v3_dot(u, a);
@@ -41,7 +41,7 @@ static Vec3 drag_change(Resistance c, Vec3 a, Vec3 u, Vec3 da, Vec3 du)
     return v3_axpy(v3_scale(-c.across, by_across), -c.along, by_along);
 }
 
-/* A segment's two points (MD2): where they are, and how they move through the fluid. */
+/* A segment's two points (MD2): place, and velocity through the fluid. */
 typedef struct Station {
     Vec3 arm, through; /* m from the centre, m/s */
 } Station;
@@ -61,7 +61,7 @@ static Vec3 lift_of(const Scene *scene, int i)
     return v3_scale(-scene->def.medium.buoyancy * scene->def.medium.density * volume, scene->def.gravity);
 }
 
-/* ------------------------------------------------------------------------------------------------------- the room */
+/* -------------------------------------------------------------------------------------------- the equipment kind */
 
 static hawser_status medium_build(Room *room, Scene *scene, hawser_error *err)
 {
@@ -114,7 +114,7 @@ static void medium_blocks(const Room *room, const Moment *m, BlockChain *k, Bloc
     }
 }
 
-/* Through the fluid the drag takes energy away; a current and buoyancy bring it in. */
+/* The drag on the motion through the fluid is a loss; a current and buoyancy do work. */
 static void medium_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     (void)room;
@@ -141,7 +141,7 @@ const RoomKind MEDIUM_ROOM = {.name = "medium",
                               .work = medium_work,
                               .in_space = "the chain moves through a medium"};
 
-/* The chain moves when the run begins. docs/model/82-medium.md (MD7), (MD8). */
+/* Initial speeds of the chain. docs/model/82-medium.md (MD7), (MD8). */
 
 static hawser_status launch_build(Room *room, Scene *scene, hawser_error *err)
 {
@@ -166,7 +166,8 @@ static LaunchRow row_at(const LaunchDef *def, double at)
 
 static Vec3 axis_of(const double *y, int n, int i) { return quat_rotate(state_attitude(y, n, i), v3(1, 0, 0)); }
 
-/* What joint j, `at` m from the tail, has beside the rigid body's motion: its tangent is that of both neighbours. */
+/* Velocity of joint j, `at` m from the tail, beside the rigid body's motion: its tangent is the mean of both
+ * neighbours'. */
 static Vec3 joint_velocity(const LaunchDef *def, const double *y, int n, int j, double at)
 {
     const Vec3 before = axis_of(y, n, j > 0 ? j - 1 : 0), after = axis_of(y, n, j < n ? j : n - 1);
@@ -194,7 +195,7 @@ static void state_put(double *y, int n, int at, int i, Vec3 value)
     y[(at + 2) * n + i] = value.z;
 }
 
-/* Segments follow their ends: the mean of both, and the turn that their difference is (MD8). */
+/* Segments follow their ends: the mean velocity of both, and the rotation by their difference (MD8). */
 static void launch_set(const Room *room, const Scene *scene, double *y)
 {
     (void)room;

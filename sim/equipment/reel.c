@@ -13,11 +13,11 @@
 #include "sim/equipment/rooms.h"
 #include "sim/joints.h"
 
-static const double HOLD = 1e7; /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
+static const double HOLD = 1e7; /* N s/m: 1 kN moves the cable's end by 0.1 mm/s */
 
-static const double HOLD_ARM = 0.1; /* m: lever at which turning is held as moving is */
+static const double HOLD_ARM = 0.1; /* m: lever that relates the resistance to turning to that to moving */
 
-/* A flange: a smooth square plane, since a line that lies against a disc has no one nearest point. side: 1 left, -1. */
+/* A flange: a smooth square plane, since a line that touches a disc has no unique nearest point. side: 1 left, -1. */
 static void flange_add(SceneDef *def, const char *name, Vec3 centre, Vec3 axis, Vec3 direction, int side)
 {
     const DrumDef *const d = &def->drum;
@@ -37,7 +37,7 @@ static void flange_add(SceneDef *def, const char *name, Vec3 centre, Vec3 axis, 
     snprintf(f->name, sizeof f->name, "%s", name);
 }
 
-/* The barrel, which spins against its brake, and the flanges. */
+/* The barrel, which spins against its brake, and the two flanges. */
 static hawser_status shapes_add(SceneDef *def, Vec3 centre, Vec3 axis, Vec3 direction, Drum *drum, hawser_error *err)
 {
     const DrumDef *const d = &def->drum;
@@ -73,7 +73,7 @@ static hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *j
     const Vec3 up = v3_cross(direction, left);
     drum->tangent = v3_axpy(origin, joint_s[free_joint] - wound.half, direction);
     const Vec3 centre = v3_axpy(v3_axpy(drum->tangent, -wound.radius, up), -wound.across, left);
-    for (int j = 0; !status && j < free_joint; ++j) { /* turned so that it leaves at the top */
+    for (int j = 0; !status && j < free_joint; ++j) { /* turned so that the cable leaves at the top */
         const Vec3 p = lay_joint(lay, wound.angle[j], 2 * chain->half[j]);
         const double out = sqrt(p.y * p.y + p.z * p.z), turned = wound.angle[j] - wound.last;
         drum->joint[j] =
@@ -84,12 +84,12 @@ static hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *j
     drum->hold = HOLD;
     drum->present = 1;
     free(wound.angle);
-    /* the lowest layer ends at the left flange, where it must climb; all room left is at its beginning */
+    /* the lowest layer ends at the left flange, where the cable must climb; the free width is at its beginning */
     const double aside = (def->drum.width - lay->diameter - lay->turns * lay->pitch) / 2;
     return status ? status : shapes_add(def, v3_axpy(centre, -aside, left), left, direction, drum, err);
 }
 
-/* ------------------------------------------------------------------------------------------------------- the room */
+/* -------------------------------------------------------------------------------------------- the equipment kind */
 
 /* Lays the cable on the drum, whose barrel and flanges become rollers and surfaces of the scene. */
 static hawser_status drum_prepare(Room *room, Scene *scene, hawser_error *err)
@@ -102,7 +102,7 @@ static hawser_status drum_prepare(Room *room, Scene *scene, hawser_error *err)
                     route_left(&scene->route, 0), drum, err);
 }
 
-/* The cable behind the route lies on the drum, which carries its weight: nothing holds it across the route's line. */
+/* The cable behind the route is on the drum, which bears its weight: nothing holds it across the route's line. */
 static hawser_status drum_build(Room *room, Scene *scene, hawser_error *err)
 {
     (void)err;
@@ -117,7 +117,7 @@ static hawser_status drum_build(Room *room, Scene *scene, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The wound cable has taken the drum's shape: its joints rest as they lie (CC25). */
+/* The wound cable has taken the drum's shape: that is its joints' resting shape (CC25). */
 static hawser_status drum_finish(Room *room, Scene *scene, hawser_error *err)
 {
     return joints_rest(scene, ((const Drum *)room->self)->joints, err);
@@ -135,7 +135,7 @@ static int drum_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
     return (ws->room[room->number] = calloc(1, sizeof(Push))) != NULL;
 }
 
-/* What holds segment 0 to the drum (CC26): the end's motion against the drum at its place, resisted. */
+/* Hold of segment 0 on the drum (CC26): damping of the end's motion relative to the drum at its place. */
 typedef struct Hold {
     double c, turning;  /* N s/m, N m s */
     Vec3 arm, spin;     /* m, from the drum's centre; rad/s, of the drum */
@@ -154,7 +154,7 @@ static Hold hold_of(const Drum *drum, const Moment *m)
     return h;
 }
 
-/* Onto the segment and onto the barrel; notes what that takes out of the motion of both. */
+/* Adds the hold to the segment and to the barrel, and the energy that it takes from both. */
 static void drum_hold(const Room *room, const Moment *m)
 {
     const Drum *const drum = room->self;
@@ -168,7 +168,8 @@ static void drum_hold(const Room *room, const Moment *m)
     *(Push *)m->ws->room[room->number] = (Push){-lost, h.force};
 }
 
-/* One coordinate's share: df, dm on the segment, the opposite about the drum's centre, where the arm may change too. */
+/* Derivatives by one coordinate: df, dm on the segment, the opposite about the drum's centre, whose arm may change
+ * too. */
 typedef struct HoldColumn {
     Vec3 force, moment, drum;
 } HoldColumn;
@@ -185,7 +186,7 @@ static void drum_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     RollerCoupling coupling = {.roller = drum->roller, .body = {0, -1}};
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 e = v3_axis(axis);
-        /* the segment moves, or the drum's centre the other way; velocities; angular velocities of both */
+        /* the segment moves, or the drum's centre the opposite way; velocities; angular velocities of both */
         const HoldColumn shift = hold_column(h.arm, h.force, v3_scale(h.c, v3_cross(h.spin, e)), V3_ZERO, e);
         const HoldColumn speed = hold_column(h.arm, h.force, v3_scale(-h.c, e), V3_ZERO, V3_ZERO);
         const HoldColumn spin = hold_column(h.arm, h.force, V3_ZERO, v3_scale(-h.turning, e), V3_ZERO);
@@ -259,7 +260,7 @@ static double reel_free_length(const Reel *r, const Kinematics *kin)
     return v3_dot(v3_sub(v3_load(kin->p, 0), r->drum), r->direction);
 }
 
-/* Share of the drum's hold on the cable: it lets a free end go over the last segment's length (RL14). */
+/* Share of the drum's hold on the cable: it releases a free end over the length of the last segment (RL14). */
 static double grip(const Reel *r, double l, double *slope)
 {
     *slope = 0;
@@ -267,7 +268,8 @@ static double grip(const Reel *r, double l, double *slope)
     return step_cubic(l, r->half, 1, 3 * r->half, 0, slope);
 }
 
-/* The fastened end of an empty drum holds, once the last segment has passed: a spring that sets in over 1 mm (RL15). */
+/* Force of the fastened end of an empty drum once the last segment has passed: a spring that sets in over 1 mm
+ * (RL15). */
 static double catch_force(const Reel *r, double l, double v, double *by_l, double *by_v)
 {
     static const double SOFT = 1e-3; /* m */
@@ -295,7 +297,7 @@ double reel_resistance(const Reel *r, double l, double v, double t, double frict
     return g * drag + caught;
 }
 
-/* The tail's attitude against the line, and the stretch of cable that turns with it (RL9). */
+/* Rotation of the tail against the line, and the length of cable that is bent by it (RL9). */
 typedef struct Held {
     double s;           /* scalar part of the relative quaternion, >= 0 */
     Vec3 u;             /* its vector part, world */
@@ -315,7 +317,7 @@ static Held held_of(const Reel *r, const Kinematics *kin, double l)
                   .by_l = fade / length - (l > r->half / 2 ? g / (length * length) : 0)};
 }
 
-/* The drum's rigidities, times `factor` each, on a world vector: R diag R^T a. */
+/* The drum's rigidities, each times its `factor`, applied to a world vector: R diag R^T a. */
 static Vec3 rigid_times(const Reel *r, const double factor[3], Vec3 a)
 {
     const Vec3 b = quat_rotate(quat_conj(r->attitude), a);
@@ -331,7 +333,7 @@ static Vec3 held_moment(const Reel *r, const Held *h, Vec3 spin)
     return v3_scale(-1, v3_add(rigid_times(r, PLAIN, v3_scale(2, h->u)), rigid_times(r, r->damping, spin)));
 }
 
-/* Force and moment on segment 0; the drum rests on its stand. */
+/* Force and moment on segment 0; the stand bears the drum. */
 static void tail_wrench(const Reel *r, const Kinematics *kin, double t, double friction, Vec3 *f, Vec3 *m)
 {
     const double l = reel_free_length(r, kin), v = v3_dot(v3_load(kin->v, 0), r->direction);
@@ -362,7 +364,7 @@ static void reel_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     reel_resistance(r, l, v, m->t, m->friction, &by_l, &by_v);
     for (int c = 0; c < 3; ++c) {
         const Vec3 e = v3_axis(c),
-                   turned = v3_axpy(v3_cross(e, h.u), h.s, e); /* theta = 2 u turns by s phi + phi x u */
+                   turned = v3_axpy(v3_cross(e, h.u), h.s, e); /* theta = 2 u changes by s phi + phi x u */
         const double along = v3_dot(e, r->direction);
         block6_add(k->diag, c, v3_scale(-by_l * along, r->direction), v3_scale(h.by_l * along, moment));
         block6_add(d->diag, c, v3_scale(-by_v * along, r->direction), V3_ZERO);
@@ -371,7 +373,7 @@ static void reel_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     }
 }
 
-/* Brake, bearing, back tension, and the cable that bends as it comes off. */
+/* Work of brake, bearing, back tension, and of the bending of the cable that leaves the reel. */
 static void reel_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     const Reel *const r = room->self;
@@ -412,7 +414,7 @@ static double reel_next_stop(const Room *room, const Scene *scene, double t)
     return profile_corner_before(&r->brake.speed, t, next);
 }
 
-/* (K5). A proportional brake gives the torque at the speed that the case names. */
+/* (K5). A proportional brake is set by its torque at the speed that the case gives. */
 static int reel_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
 {
     (void)scene;
@@ -430,11 +432,12 @@ static void reel_controls(Room *room, ControlsVisit *visit)
 {
     Reel *const r = room->self;
     const Profile level = profile_level(0);
-    controls_count(visit, &r->present, r->winding.pitch > 0); /* where there is none, none comes */
+    controls_count(visit, &r->present, r->winding.pitch > 0); /* a loaded state cannot add a reel to a case without
+                                                               * one */
     controls_profile(visit, &r->braked, &level);
 }
 
-/* It stands behind the route's start, on the lead-in's line, and brings the back tension. */
+/* The reel is behind the route's start, on the lead-in's line, and provides the back tension. */
 static hawser_status reel_build(Room *room, Scene *scene, hawser_error *err)
 {
     Reel *const r = room->self = scene->reel = calloc(1, sizeof *r);

@@ -11,12 +11,12 @@
 #include "sim/equipment/rooms.h"
 #include "sim/joints.h"
 
-/* How far an end may be led in a step, rad (RD19). */
+/* Largest rotation of a led end in a step, rad (RD19). */
 static const double LED_AT_ONCE = 1;
 
 /* ------------------------------------------------------------------------------------------ shape at t = 0 */
 
-/* The frame that is carried along, turned about its own axis by the roll of place s (RD2). */
+/* The parallel-transported frame, rotated about its own axis by the roll at place s (RD2). */
 static Quat rolled(const RodDef *def, Quat q, double s)
 {
     return quat_mul(q, quat_exp(v3(def->roll + def->roll_rate * s, 0, 0)));
@@ -28,8 +28,8 @@ static void state_put(double *y, int n, int i, Vec3 p, Quat q)
     for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
 }
 
-/* Segments are chords of the line, end to end; the ground bodies have the line's own tangent at the rod's ends (RD2).
- */
+/* Segments are chords of the line, end to end; the ground bodies take the line's own tangent at the rod's ends
+ * (RD2). */
 static void shape_lay(const RodDef *def, const RodLine *line, const Chain *chain, Rod *rod)
 {
     const int n = chain->n;
@@ -71,8 +71,8 @@ int rod_segment_at(const Chain *chain, double at, double *arm)
     return i;
 }
 
-/* A mass between two centres is shared by the lever rule, which keeps its place; beyond the outer ones it sits on
- * the nearest, which is made short for it (RD4). */
+/* A mass between two centres is distributed by the lever rule, which keeps its centre of gravity; a mass beyond the
+ * outer centres is placed on the nearest one, whose segment is made short for it (RD4). */
 static void mass_add(Chain *chain, const RodMassDef *mass)
 {
     double arm;
@@ -119,7 +119,7 @@ static void rod_clear(Room *room)
     free(rod->load);
 }
 
-/* Whether an end is held in some directions, may move in the others, and may turn as it likes: it slides along axes of
+/* Checks whether an end is held in some directions, free in the others, and free to turn: it then slides along axes of
  * the ground (RD21). */
 static int slides(const RodEndDef *end)
 {
@@ -127,20 +127,20 @@ static int slides(const RodEndDef *end)
     return places > 0 && places < 3 && !end->held[TORSION] && !end->held[BENDING_Y] && !end->held[BENDING_Z];
 }
 
-/* An end: the half-spring of its segment in the components that are held. The three of a pivot, and of what slides
- * along the ground's axes, are the axial one. */
+/* Joins an end: the half-spring of its segment in the components that are held. The three of a pivot, and of an end
+ * that slides along the ground's axes, are equal to the axial one. */
 static void end_join(Scene *scene, int j, int segment, const RodEndDef *end)
 {
     Bushing held = joints_clamp(scene, segment);
     const int alike = end->pivot || slides(end);
-    if (slides(end)) held.preload[AXIAL] = 0; /* it may have no direction that is held */
+    if (slides(end)) held.preload[AXIAL] = 0; /* there may be no direction that is held */
     if (alike) joint_even(&held);
     for (int c = 0; c < COMPONENTS; ++c) {
         if (end->held[c] || (alike && c <= SHEAR_Z)) joint_set(&scene->chain, j, &held, c, c + 1);
     }
 }
 
-/* The relative rotation of the segments at joint j at t = 0 (B2), as a vector. */
+/* Relative rotation of the segments at joint j at t = 0 (B2), as a vector. */
 static Vec3 rest_rotation(const Rod *rod, int n, int j)
 {
     Quat q = quat_mul(quat_conj(rod_attitude(rod, n, j - 1)), rod_attitude(rod, n, j));
@@ -150,7 +150,7 @@ static Vec3 rest_rotation(const Rod *rod, int n, int j)
     return v3_scale(size > 0 ? 2 * atan2(size, q.w) / size : 2, u);
 }
 
-/* A rod that rests in its shape has preloads that take its rotations as zero (RD7). */
+/* A rod with its initial shape as resting shape has preloads that cancel its rotations (RD7). */
 static void rod_join(Room *room, Scene *scene)
 {
     Chain *const c = &scene->chain;
@@ -164,9 +164,9 @@ static void rod_join(Room *room, Scene *scene)
     }
 }
 
-/* ---------------------------------------------------------------------------------------- what leads the ends */
+/* ------------------------------------------------------------------------------------- prescribed motion of ends */
 
-/* Sums of an end's motions at time t: displacement, rotation vector, and their rates. */
+/* Sums of an end's prescribed motions at time t: displacement, rotation vector, and their rates. */
 typedef struct Lead {
     Vec3 move, turn, velocity, turn_rate; /* m, rad, m/s, rad/s */
 } Lead;
@@ -186,7 +186,7 @@ static Lead lead_at(const RodEndDef *def, double share, double t, int still)
     return lead;
 }
 
-/* The angular velocity of exp(r) with rotation vector r and rate r' (RD3). */
+/* Angular velocity of exp(r) with rotation vector r and rate r' (RD3). */
 static Vec3 spin_of(Vec3 r, Vec3 rate)
 {
     const double a = v3_norm(r), a2 = a * a;
@@ -195,7 +195,7 @@ static Vec3 spin_of(Vec3 r, Vec3 rate)
     return v3_axpy(v3_axpy(v3_scale(s, rate), c, v3_cross(r, rate)), d * v3_dot(r, rate), r);
 }
 
-/* The axes of ground body i along which its end slides, into axis[3]; returns how many there are. */
+/* Writes the axes of ground body i along which its end slides into axis[3]; returns their number. */
 static int free_axes(const RodEndDef *def, const Kinematics *kin, int i, Vec3 *axis)
 {
     int n = 0;
@@ -206,7 +206,7 @@ static int free_axes(const RodEndDef *def, const Kinematics *kin, int i, Vec3 *a
     return n;
 }
 
-/* A ground body that lets its end slide goes along with it (RD21). */
+/* The ground body of an end that slides moves along with it (RD21). */
 static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int segment, Kinematics *kin)
 {
     Vec3 axis[3];
@@ -214,7 +214,7 @@ static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int se
     if (n > 0) slide_ghost(&scene->chain, kin, i, segment, n, axis);
 }
 
-/* One ground body into index i of kin. */
+/* Writes one ground body into index i of kin. */
 static void ghost_set(const Rod *rod, int which, double t, int i, Kinematics *kin)
 {
     const RodEnd *const end = &rod->end[which];
@@ -228,7 +228,7 @@ static void ghost_set(const Rod *rod, int which, double t, int i, Kinematics *ki
     for (int c = 0; c < 4; ++c) kin->q[c][i] = turn[c];
 }
 
-/* What leads the ends at time t (RD3). */
+/* Sets the prescribed motion of the ends at time t (RD3). */
 static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
     const Rod *const rod = room->self;
@@ -275,7 +275,7 @@ static void end_blocks(const Scene *scene, const RodEndDef *def, const Kinematic
     slide_blocks(&scene->chain, kin, i, segment, free_axes(def, kin, i, axis), axis, k, d);
 }
 
-/* Only rotations matter: a dead force keeps its direction while its arm turns, a follower turns as a whole (RD6). */
+/* Only rotations matter: a dead force keeps its direction while its arm turns; a follower turns as a whole (RD6). */
 static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
     const Rod *const rod = room->self;
@@ -294,7 +294,7 @@ static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockCh
     }
 }
 
-/* The ground at both ends, and the loads. */
+/* Work of the ground at both ends, and of the loads. */
 static void rod_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     const Rod *const rod = room->self;
@@ -344,7 +344,7 @@ int rod_circulates(const Rod *rod, double t)
     return any;
 }
 
-/* By how much the ends are led from where they are at `from` (s; NAN: from where they were built), rad. */
+/* Rotation by which the ends are led from their state at `from` (s; NAN: the initial state), rad. */
 static double led_from(const Rod *rod, double from, double t)
 {
     double largest = 0;
@@ -360,7 +360,7 @@ int rod_led_parts(const Rod *rod, double t) { return (int)ceil(led_from(rod, NAN
 double rod_led_until(const Rod *rod, double t, double next)
 {
     if (!isfinite(next) || led_from(rod, t, next) <= LED_AT_ONCE) return next;
-    double low = t, high = next; /* not too far, too far */
+    double low = t, high = next; /* low: within the limit; high: beyond it */
     for (int k = 0; k < 40; ++k) {
         const double middle = low + (high - low) / 2;
         if (led_from(rod, t, middle) <= LED_AT_ONCE) {

@@ -1,4 +1,4 @@
-/* A rod as it is simulated: its initial state, the ground bodies at its ends, the loads on it. docs/model.md, "Rods"
+/* A rod as simulated: its initial state, the ground bodies at its ends, and its loads. docs/model.md, "Rods"
  * (RD1)-(RD9). */
 #ifndef HAWSER_SIM_EQUIPMENT_ROD_H
 #define HAWSER_SIM_EQUIPMENT_ROD_H
@@ -8,7 +8,7 @@
 #include "def/rod_def.h"
 #include "hawser/hawser.h"
 
-/* The ground body at an end at t = 0: where the end's cross-section is. */
+/* The ground body of an end at t = 0, at the end's cross-section. */
 typedef struct RodEnd {
     const RodEndDef *def;
     Vec3 place; /* m */
@@ -19,7 +19,7 @@ typedef struct RodLoad {
     const RodLoadDef *def;
     int segment;
     double arm;     /* m from the segment's centre, along its axis */
-    Vec3 direction; /* unit; of a follower in the segment's own axes, otherwise in the world's */
+    Vec3 direction; /* unit; in the segment's own axes for a follower, otherwise in the world's */
 } RodLoad;
 
 typedef struct Rod {
@@ -28,41 +28,39 @@ typedef struct Rod {
     RodEnd end[2];
     int n_loads;
     RodLoad *load; /* [n_loads], owned */
-    int still;     /* equilibria are looked for: ends that are led are where they are, without a velocity */
-    double lag; /* share of their motions that the ends are behind: 0, but while the first equilibrium is looked for */
+    int still;     /* 1: an equilibrium is sought: led ends have their places of that time but no velocity */
+    double lag; /* share by which the ends lag behind their motions: 0, except while the first equilibrium is sought */
 } Rod;
 
-/* What a load does: the arm from its segment's centre, force, moment about that centre; m, N, N m, world (RD5). */
+/* Arm, force and moment of a load: arm from its segment's centre, moment about that centre; m, N, N m, world (RD5). */
 typedef struct RodWrench {
     Vec3 arm, force, moment;
 } RodWrench;
 
 RodWrench rod_wrench(const RodLoad *load, const Kinematics *kin, double t);
 
-/* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
+/* Attitude of segment i at t = 0; of the ends' ground bodies for -1 and n. */
 Quat rod_attitude(const Rod *rod, int n, int i);
 
-/* The largest of the loads at time t, N; moments count over half a segment. */
+/* Size of the largest load at time t, N; moments are divided by half a segment's length. */
 double rod_load_size(const Rod *rod, const Chain *chain, double t);
-/* How many of the two ends are held in some way. */
+/* Number of ends, of the two, that are held in some way. */
 int rod_ends_held(const Rod *rod);
 
-/* Whether a load of time t has no potential: a follower, or a moment (RD6). */
+/* Checks whether a load at time t has no potential: a follower, or a moment (RD6). */
 int rod_circulates(const Rod *rod, double t);
-/* In how many parts the ends are led to where they are at time t, so that no part turns one by more than 1 rad; 0: they
- * are not turned. */
+/* Number of parts in which the ends are led to their state at time t so that no part rotates one by more than 1 rad; 0:
+ * they are not rotated. */
 int rod_led_parts(const Rod *rod, double t);
-/* The latest time up to `next` by which no end is led by more than 1 rad from where it is at t, s: a turn that is led
- * at once cannot be told from none. */
+/* Latest time up to `next` until which no end is led by more than 1 rad from its state at t, s: a full turn in one part
+ * would be indistinguishable from none. */
 double rod_led_until(const Rod *rod, double t, double next);
-/* There is a rod, and nothing keeps it in its place: no end is held, and there is nothing on which it could come to
- * lie.
- */
+/* Checks for a rod without any constraint: no end is held, and there is nothing on which it could come to rest. */
 struct Scene;
 int rod_is_loose(const struct Scene *scene);
 
-/* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
- * place is from its centre, along its axis (m). */
+/* Segment at the place `at` (m from the tail; a joint belongs to the segment before it) and the distance of the place
+ * from its centre, along its axis (m). */
 int rod_segment_at(const Chain *chain, double at, double *arm);
 
 #endif

@@ -13,7 +13,7 @@
 static void equipment_work_free(EquipmentWork *w);
 static void equipment_clear(Equipment *q);
 
-enum { ROOM = 4 }; /* segments that a roller of the usual size can touch at a time: two contacts' */
+enum { ROOM = 4 }; /* segments that a roller of usual size can touch at a time: those of two contacts */
 
 static int body_of(int m) { return 2 * m + 1; }
 
@@ -44,7 +44,7 @@ int equipment_room(EquipmentWork *w, int k, int room)
     return ok;
 }
 
-/* What exists only where there are mounts. */
+/* Allocates the arrays that exist with mounts only. */
 static int mounts_alloc(EquipmentWork *w)
 {
     const int bodies = 2 * w->q->mounts;
@@ -61,7 +61,7 @@ static int mounts_alloc(EquipmentWork *w)
     return ok;
 }
 
-/* For the rollers of a scene, of which there are n_rollers. 0 if there is no memory; nothing is allocated if nothing
+/* Allocates for the rollers of a scene, n_rollers in all. 0 if there is no memory; nothing is allocated if nothing
  * moves. The free may be called on a zeroed struct. */
 static int equipment_work_alloc(EquipmentWork *w, const Equipment *q, int n_rollers, const ContactRoller *roller)
 {
@@ -107,7 +107,7 @@ static void equipment_work_free(EquipmentWork *w)
 
 /* ------------------------------------------------------------------------------------------------- motion */
 
-/* Mount m from e into the mounts' chain; its roller's shape follows. */
+/* Writes mount m from e into the mounts' chain; its roller's shape follows. */
 static void mount_pose(EquipmentWork *w, const double *e, int m, Shape *shape)
 {
     const Equipment *const q = w->q;
@@ -162,7 +162,7 @@ double equipment_turning(const EquipmentWork *w, int k)
     return v3_dot(v3_sub(w->motion[item->roller].w, mount), w->roller[item->roller].shape.axis);
 }
 
-/* Moment of contact, bearing and motor about the axis of roller k, which spins at s (SP8), N m. */
+/* Moment of contact, bearing and motor about the axis of roller k, whose spin is s (SP8), N m. */
 static double axis_moment(EquipmentWork *w, int k, double s, double friction)
 {
     const MovingRoller *const item = &w->q->item[k];
@@ -211,7 +211,7 @@ static void equipment_rates(EquipmentWork *w, const double *e, double friction, 
         if (item->mount < 0) continue;
         const int i = body_of(item->mount);
         const Vec3 b = w->roller[item->roller].shape.axis;
-        if (item->spin >= 0) { /* the roller keeps what acts about its axis, and its spin resists turning (SP10) */
+        if (item->spin >= 0) { /* the roller keeps the moment about its own axis, and its spin resists tilting (SP10) */
             const Vec3 gyro = v3_cross(v3_load(w->kin.w, i), b);
             on.moment = v3_axpy(v3_axpy(on.moment, -about, b), -item->inertia * e[item->spin], gyro);
         }
@@ -224,7 +224,7 @@ static void equipment_rates(EquipmentWork *w, const double *e, double friction, 
 
 /* ------------------------------------------------------------------------------------------------- derivatives */
 
-/* The contacts' derivatives, contact by contact: `first` is the roller that coupling->roller counts from. */
+/* Adds the contacts' derivatives one by one: coupling->roller counts from roller `first`. */
 static void equipment_blocks_begin(EquipmentWork *w)
 {
     for (int k = 0; k < w->q->n; ++k) {
@@ -239,7 +239,7 @@ static void block_add(double to[36], const double from[36])
     for (int k = 0; k < 36; ++k) to[k] += from[k];
 }
 
-/* Where segment i is in the sum, a new place if need be; -1: there is no room left. */
+/* Index of segment i in the sum, a new one if needed; -1: the array is full. */
 static int place_of(RollerSum *s, int i)
 {
     for (int k = 0; k < s->touched; ++k) {
@@ -284,7 +284,7 @@ static void equipment_bushing_blocks(EquipmentWork *w)
 
 /* ------------------------------------------------------------------------------------------------- candidates */
 
-/* Remembers where the rollers stand; how far one has moved since, with what its turning adds, m. */
+/* Stores the rollers' places; the second returns the largest motion since then, with the effect of tilting, m. */
 static void equipment_stand(EquipmentWork *w)
 {
     for (int k = 0; k < w->q->n; ++k) {
@@ -326,7 +326,7 @@ static double equipment_energy(const EquipmentWork *work, const double *e)
     return q->mounts ? sum + bushing_kernels()->energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
 }
 
-/* Bodies of the mounts' chain: the ground under mount m, and the mount. */
+/* Bodies of the mounts' chain: the ground under mount m, then the mount. */
 static int ground_of(int m) { return 2 * m; }
 
 static void counts_fill(const SceneDef *def, Equipment *q)
@@ -352,7 +352,7 @@ static MovingRoller item_of(const RollerDef *d, int roller, int spin, int mount)
                           .turning = d->mount.inertia};
 }
 
-/* The mount's frame: x along the roller's axis, z as far up as that allows (along x where the axis is upright). */
+/* The mount's frame: x along the roller's axis, z as far up as possible (along world x if the axis is vertical). */
 static Quat attitude_of(Vec3 axis)
 {
     const Vec3 x = v3_unit(axis), up = fabs(x.z) < 0.99 ? v3(0, 0, 1) : v3(1, 0, 0);
@@ -380,7 +380,7 @@ static void bushing_fill(Equipment *q, const MountDef *d, const Shape *shape, in
     }
 }
 
-/* From the rollers of a definition, whose shapes are roller[n_rollers]. Errors: MEMORY. */
+/* Builds from the rollers of a definition, whose shapes are roller[n_rollers]. Errors: MEMORY. */
 static hawser_status equipment_build(const SceneDef *def, const ContactRoller *roller, Equipment *q, hawser_error *err)
 {
     memset(q, 0, sizeof *q);
@@ -415,10 +415,10 @@ static void equipment_clear(Equipment *q)
     memset(q, 0, sizeof *q);
 }
 
-/* Entries of e; of the velocities among them. */
+/* Number of entries of e, and of velocities among them. */
 static int equipment_size(const Equipment *q) { return q->spins + STATE_SIZE * q->mounts; }
 
-/* e at rest where the case puts everything. */
+/* Writes e at rest at the places of the case. */
 static void equipment_initial(const Equipment *q, double *e)
 {
     memset(e, 0, (size_t)equipment_size(q) * sizeof *e);
@@ -490,7 +490,7 @@ void equipment_move(const Equipment *q, double *e, const double *u, double dt)
 
 void equipment_halt(const Equipment *q, double *e)
 {
-    const int still = STATE_V * q->mounts; /* positions and quaternions stay */
+    const int still = STATE_V * q->mounts; /* positions and quaternions do not change */
     memset(e, 0, (size_t)q->spins * sizeof *e);
     memset(e + q->spins + still, 0, (size_t)((STATE_SIZE - STATE_V) * q->mounts) * sizeof *e);
 }
@@ -515,8 +515,8 @@ int equipment_worst(const Equipment *q, const double *x, const double *w, double
     return worst;
 }
 
-/* (BA11) of a spin, whose angle is no part of the state: the way is the mean speed times the step. past: [2] speed and
- * its rate. */
+/* (BA11) for a spin, whose angle is not part of the state: the path is the mean speed times the step. past: [2] speed
+ * and its rate. */
 static MethodLoss spin_loss(double inertia, double speed, double rate, double scale, double past[2])
 {
     const double gain = inertia * (speed * speed - past[0] * past[0]) / 2;
@@ -526,7 +526,7 @@ static MethodLoss spin_loss(double inertia, double speed, double rate, double sc
     return (MethodLoss){work - gain, inertia * speed * speed / 2};
 }
 
-/* The same of a mount, round in all directions. past: [BODY_PAST] p q v w, their rates' last six. */
+/* The same for a mount, whose inertia is equal about all axes. past: [BODY_PAST] p q v w, their rates' last six. */
 static MethodLoss mount_loss(const Equipment *q, const MovingRoller *item, const double *e, const double *rates,
                              double scale, double *past)
 {
@@ -565,35 +565,35 @@ MethodLoss equipment_method_loss(const Equipment *q, const double *e, const doub
 }
 
 /* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
- * rollers on mounts". What moves them is in sim/equipment/rollers.h and roller_motion.h. */
+ * rollers on mounts". sim/equipment/rollers.h has their motion. */
 
-/* A roller that may be held fast, or whose friction changes. */
+/* A roller that may be held fast or whose friction may change. */
 typedef struct HeldRoller {
     int roller;
-    const Seizure *by; /* NULL: what it is told */
+    const Seizure *by; /* NULL: its own seizure, by commands */
     Seizure told;
-    double mu;        /* with which the cable drags over it when it stands; NAN: as ever */
-    double torque;    /* N m, of the jammed bearing besides what follows the load */
-    Profile friction; /* its coefficients over the case's (K6) */
+    double mu;        /* friction coefficient with which the cable drags over it at a standstill; NAN: its usual one */
+    double torque;    /* N m, of the jammed bearing beside the part that follows the load */
+    Profile friction; /* its coefficients relative to the case's (K6) */
 } HeldRoller;
 
 typedef struct Rollers {
     int n;
-    ContactRoller *roller; /* [n], as the case puts them */
-    Equipment equipment;   /* those that move */
+    ContactRoller *roller; /* [n], as given by the case */
+    Equipment equipment;   /* the moving ones */
     int n_held;
-    HeldRoller *held; /* [n_held], room for every roller: one for each that ever was */
+    HeldRoller *held; /* [n_held], allocated for every roller; one for each that was ever held or changed */
 } Rollers;
 
-/* What a workspace has of its own: friction laws and bearings, by time where rollers may be held. */
+/* A workspace's own friction laws and bearings, which depend on time where rollers may be held. */
 typedef struct HeldWork {
-    ContactRoller *roller; /* [n] of the scene, where none moves */
-    Equipment equipment;   /* the scene's, but with items of its own */
+    ContactRoller *roller; /* [n] of the scene, if none moves */
+    Equipment equipment;   /* the scene's, but with its own items */
 } HeldWork;
 
 /* ---------------------------------------------------------------------------------------------------- building */
 
-/* Surfaces need it too: where the chain was at the last refresh is kept with the rollers' candidates. */
+/* Surfaces need it too: the chain's position at the last refresh is kept with the rollers' candidates. */
 static hawser_status rollers_build(Room *room, Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -628,10 +628,10 @@ static void rollers_clear(Room *room)
     free(all->held);
 }
 
-/* Of cable jackets on a steel shell that stands. */
+/* Friction coefficient of cable jackets on a steel shell that does not turn. */
 static const double STANDING_MU = 0.4;
 
-/* What is kept of a roller that is held; a new one is free and has its own friction. */
+/* Record of a roller that is held or changed; a new one is free and has its own friction. */
 static HeldRoller *held_of(Rollers *all, int r)
 {
     int h = 0;
@@ -641,7 +641,8 @@ static HeldRoller *held_of(Rollers *all, int r)
     return &all->held[h];
 }
 
-/* A roller that spins keeps its friction; one that does not has had its bearing in it, and drags. */
+/* A roller that spins keeps its friction; that of one that does not contains its bearing and changes to that of
+ * dragging. */
 static void held_set(HeldRoller *held, const Scene *scene, const Seizure *by)
 {
     const RollerDef *const def = &scene->def.rollers[held->roller];
@@ -676,7 +677,7 @@ static void rollers_start(const Room *room, double *own)
 
 /* ------------------------------------------------------------------------------------------ rollers that are held */
 
-/* Of what the cable can turn a roller with: the jammed bearing's limit (JA5). */
+/* Limit of the jammed bearing over the largest moment by which the cable can turn the roller (JA5). */
 static const double HOLD = 20;
 
 /* (JA4) */
@@ -698,7 +699,7 @@ static Bearing held_bearing(const HeldRoller *held, Bearing bearing, double most
     return bearing;
 }
 
-/* Friction laws and bearings of time t, into the workspace. */
+/* Writes the friction laws and bearings of time t into the workspace. */
 static void rollers_hold(const Room *room, Workspace *ws, double t)
 {
     const Rollers *const all = room->self;
@@ -732,7 +733,7 @@ static HeldWork *held_work_new(const Rollers *all, int n)
     return own;
 }
 
-/* In two halves by number, which is mostly their order along the route. */
+/* Splits the rollers in two halves by number, which is mostly their order along the route. */
 static int rollers_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     const Rollers *const all = room->self;
@@ -772,7 +773,7 @@ static void rollers_work_free(const Room *room, Workspace *ws)
     free(own->equipment.item);
 }
 
-/* The leans of friction that sticks: rollers keep their half. */
+/* Copies the leans of friction that sticks: rollers keep their half. */
 static void rollers_carry(const Room *room, Workspace *from, Workspace *to, int joined)
 {
     (void)room;
@@ -790,7 +791,7 @@ static void rollers_pose(const Room *room, const Moment *m, const double *own)
     rollers_hold(room, m->ws, m->t);
 }
 
-/* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
+/* The lean of friction that sticks grows by the slip since the last accepted step (GR11). */
 static void rollers_begin(const Room *room, const Moment *m)
 {
     (void)room;
@@ -800,7 +801,7 @@ static void rollers_begin(const Room *room, const Moment *m)
     }
 }
 
-/* Contact forces of one half of the rollers; on_roller (NULL: not wanted) gets those on them. */
+/* Contact forces of one half of the rollers; on_roller (NULL: not required) receives those on the rollers. */
 static void part_forces(const Moment *m, int part, double friction, Vec3 *on_roller)
 {
     Workspace *const ws = m->ws;
@@ -821,7 +822,7 @@ static void rollers_rates(const Room *room, const Moment *m, const double *own, 
     if (room->states > 0) equipment_rates(m->ws->equipment, own, m->friction, rate);
 }
 
-/* What a part's contacts couple its rollers by. */
+/* Receives the couplings of a part's contacts with its rollers. */
 typedef struct Taker {
     EquipmentWork *work;
     int first;
@@ -833,7 +834,7 @@ static void coupling_take(void *user, const RollerCoupling *coupling)
     equipment_blocks_take(to->work, to->first, coupling);
 }
 
-/* Where rollers move, their loads and couplings too. */
+/* Also adds loads and couplings of rollers that move. */
 static void rollers_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
     Workspace *const ws = m->ws;
@@ -852,7 +853,7 @@ static void rollers_blocks(const Room *room, const Moment *m, BlockChain *k, Blo
 
 /* -------------------------------------------------------------------------------------------------- between steps */
 
-/* Both parts were refreshed at the same positions; what rollers have moved is spent of the share of the reach (C20). */
+/* Both parts were refreshed at the same positions; the motion of rollers uses up part of the reach (C20). */
 static int rollers_stale(const Room *room, const Moment *m)
 {
     const ContactPart *const part = &m->ws->contact[PARTS - 1];
@@ -907,7 +908,7 @@ static void rollers_checkpoint(Checkpoint *c, const Room *room, const Scene *sce
                        2 * (size_t)all->equipment.n * sizeof *ws->equipment->stood);
 }
 
-/* The ends of what it was told. */
+/* The ends of ramps set by commands. */
 static double rollers_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -920,7 +921,7 @@ static double rollers_next_stop(const Room *room, const Scene *scene, double t)
     return next;
 }
 
-/* (K6), (JA2). A law without friction stays without. */
+/* (K6), (JA2). A law without friction remains without. */
 static int rollers_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
 {
     Rollers *const all = room->self;
@@ -945,7 +946,7 @@ static int rollers_command(Room *room, const Scene *scene, const Command *c, dou
     return taken;
 }
 
-/* What holds it by the case stays where it was built. */
+/* The holder given by the case is set when the scene is built and is not saved. */
 static void rollers_controls(Room *room, ControlsVisit *visit)
 {
     Rollers *const all = room->self;
@@ -992,7 +993,7 @@ static int rollers_look(const Room *room, const Moment *m)
     return active;
 }
 
-/* Whether they cross the plane square, its own geometry asks (sim/solve/planar.c). */
+/* The geometry check for the plane tests whether rollers cross it at a right angle (sim/solve/planar.c). */
 static const char *rollers_not_planar(const Room *room, const Scene *scene)
 {
     if (contact_sticks(&scene->contact)) return "friction sticks";

@@ -1,10 +1,11 @@
-/* Every kind of room (sim/room.h), in the order in which they act. What each is stands at the head of its file. */
+/* All equipment kinds (sim/room.h), in the order in which they act. The head of each file describes its kind. */
 #ifndef HAWSER_SIM_EQUIPMENT_ROOMS_H
 #define HAWSER_SIM_EQUIPMENT_ROOMS_H
 
 #include "sim/room.h"
 
-/* The list of rooms: ROOM(kind) for each. Those that touch the cable come last: their time is told apart. */
+/* The list of equipment kinds: ROOM(kind) for each. Kinds with contacts come last, because their time is measured
+ * apart. */
 #define ROOMS(ROOM)                                                                                                    \
     ROOM(LAUNCH_ROOM)                                                                                                  \
     ROOM(MEDIUM_ROOM)                                                                                                  \

@@ -8,13 +8,14 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 
-/* (DU17): the length of cable that gives way as one contact with a roller does, at the depth where damping is whole. */
+/* (DU17): length of cable whose line contact has the stiffness of a roller contact, at the depth at which damping is
+ * full. */
 static double tip_length(const ImpactLaw *point, const ImpactLaw *line)
 {
     return point->k / line->k * pow(line->d, point->e - line->e);
 }
 
-/* A law for each surface, with what several cables' layout makes of it, and behind these one for each in bends
+/* Sets a law for each surface, adjusted for the layout of several cables, and behind these one for each in bends
  * (BU7). */
 static void frictions_set(const SceneDef *def, int patches, Surfaces *s)
 {
@@ -42,7 +43,7 @@ static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
     SurfacePatch *next = s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
     s->friction = calloc(2 * (size_t)def->n_surfaces, sizeof *s->friction);
     s->points.tip = tip_length(&def->impact, &def->line_impact);
-    room->self = s; /* the scene's own member, for the clearing */
+    room->self = s; /* a member of the scene, set here so that it is freed */
     s->factor = calloc((size_t)def->n_surfaces, sizeof *s->factor);
     for (int i = 0; s->factor && i < def->n_surfaces; ++i) s->factor[i] = profile_level(1);
     if (!s->patch || !s->friction || !s->factor || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
@@ -74,7 +75,7 @@ static void surfaces_clear(Room *room)
     room->self = NULL;
 }
 
-/* Half of the elements each; the element before segment `middle` is the second half's. */
+/* Each part has half of the elements; the element before segment `middle` belongs to the second half. */
 static int surfaces_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
@@ -100,7 +101,7 @@ static void surfaces_work_free(const Room *room, Workspace *ws)
     free(ws->on_surface);
 }
 
-/* The leans of friction that sticks: elements may have changed their half. */
+/* Copies the leans of friction that sticks: elements may have changed their half. */
 static void surfaces_carry(const Room *room, Workspace *from, Workspace *to, int joined)
 {
     (void)room;
@@ -110,7 +111,7 @@ static void surfaces_carry(const Room *room, Workspace *from, Workspace *to, int
     }
 }
 
-/* Friction laws of time t, into the workspace (K6). */
+/* Writes the friction laws of time t into the workspace (K6). */
 static void surfaces_pose(const Room *room, const Moment *m, const double *own)
 {
     (void)own;
@@ -121,7 +122,7 @@ static void surfaces_pose(const Room *room, const Moment *m, const double *own)
         law[i] = friction_scaled(s->friction[i], profile_value(&s->factor[i % n], m->t));
 }
 
-/* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
+/* The lean of friction that sticks grows by the slip since the last accepted step (GR11). */
 static void surfaces_begin(const Room *room, const Moment *m)
 {
     (void)room;
@@ -137,13 +138,13 @@ static void surfaces_loads(const Room *room, const Moment *m, int part)
                    &m->ws->loads[part], NULL);
 }
 
-/* Derivatives, as two threads see them. */
+/* Derivatives, shared by two threads. */
 typedef struct SurfaceJob {
     const Moment *m;
     BlockChain *k, *d;
 } SurfaceJob;
 
-/* Under one half, without the element at the middle, which hangs on segments of both. */
+/* Blocks of one half, without the element at the middle, which involves segments of both halves. */
 static void blocks_job(void *arg, int rank)
 {
     const SurfaceJob *const job = arg;

@@ -1,5 +1,4 @@
-/* What the winch does next: trips, and what it is told. docs/model.md, "Winch and conveyors" (WI8)-(WI12), "Control"
- * (K2), (K3). */
+/* Phases of the winch: trips and commands. docs/model.md, "Winch and conveyors" (WI8)-(WI12), "Control" (K2), (K3). */
 #include "sim/equipment/winch.h"
 
 #include <math.h>
@@ -14,15 +13,15 @@
 
 /* ------------------------------------------------------------------------------------------------------- trips */
 
-/* The trip as a small machine between accepted steps:
+/* The trip is a state machine between accepted steps:
  *
- *     follows --force too large--> brakes --at rest--> stands --pause over--> restarts --at speed--> follows
+ *    follows --force too large--> brakes --at rest--> stands --pause over--> restarts --at speed--> follows
  *
  * A restart can trip too. Every change keeps travel and speed continuous (WI8)-(WI12). */
 
 static const double ON_TIME = 1e-9; /* s: the integrator stops at a phase's end up to rounding */
 
-/* Another profile from time t on, where the travel is what it was. */
+/* Begins another speed profile at time t; the travel is continuous. */
 static void phase_begin(Winch *w, WinchDoing doing, double t, Profile speed, double clock)
 {
     WinchPhase *const now = &w->phase;
@@ -35,7 +34,7 @@ static void phase_begin(Winch *w, WinchDoing doing, double t, Profile speed, dou
     now->until = INFINITY;
 }
 
-/* (WI9). The brake falls in: from the speed of now to rest. A restart that trips keeps what it was to come back to. */
+/* (WI9). Applies the brake: from the present speed to rest. A restart that trips keeps the speed to return to. */
 static WinchEvent brake(Winch *w, double t)
 {
     WinchPhase *const now = &w->phase;
@@ -47,7 +46,7 @@ static WinchEvent brake(Winch *w, double t)
     return WINCH_TRIPPED;
 }
 
-/* At rest, for a while or for good (WI10), or until it is told. The brake's profile stays: it is 0 from here on. */
+/* At rest: for a pause, for good (WI10), or until a command. The brake's profile stays: it is 0 from here on. */
 static WinchEvent stand(Winch *w)
 {
     WinchPhase *const now = &w->phase;
@@ -64,7 +63,7 @@ static WinchEvent stand(Winch *w)
     return WINCH_ENDS_THE_RUN;
 }
 
-/* (WI11). From the speed of `start`, which is none after a trip, to that at which the brake fell in. */
+/* (WI11). Restarts from the speed `start`, which is 0 after a trip, to the speed at which the brake was applied. */
 static WinchEvent restart(Winch *w, double start, double ramp)
 {
     WinchPhase *const now = &w->phase;
@@ -75,7 +74,7 @@ static WinchEvent restart(Winch *w, double start, double ramp)
     return WINCH_STARTED;
 }
 
-/* (WI12). The case's profile goes on where it was left, or the speed that was set. */
+/* (WI12). Resumes the case's profile where it was left, or the speed that was commanded. */
 static WinchEvent follow(Winch *w)
 {
     const double asked = w->phase.asked;
@@ -87,7 +86,7 @@ static WinchEvent follow(Winch *w)
     return WINCH_RUNNING;
 }
 
-/* Whether the force has been above the limit for as long as it takes (WI8). */
+/* Checks whether the force has been above the limit for the trip's delay (WI8). */
 static int too_large(Winch *w, double t, double pull)
 {
     WinchPhase *const now = &w->phase;
@@ -118,7 +117,7 @@ WinchEvent winch_accept(Winch *w, double t, double pull)
     return WINCH_NOTHING;
 }
 
-/* The same as it is noted; what: NULL for WINCH_NOTHING. */
+/* The event as it is recorded; what: NULL for WINCH_NOTHING. */
 static Occurrence winch_occurrence(WinchEvent event)
 {
     static const Occurrence occurrence[] = {
@@ -132,7 +131,7 @@ static Occurrence winch_occurrence(WinchEvent event)
     return occurrence[event];
 }
 
-/* Trips, and the ends of what it was told. */
+/* Trips, and the ends of commands. */
 static int winch_watches(const Room *room)
 {
     const Winch *const w = room->self;
@@ -140,7 +139,7 @@ static int winch_watches(const Room *room)
     return (w->trip_force > 0 || ends ? WATCH_PULL : 0) | (w->mode == WINCH_TENSION && ends ? WATCH_TRAVEL : 0);
 }
 
-/* A set tension's brake is on, or off (K3). */
+/* End of applying or releasing the brake of a set tension (K3). */
 static WinchEvent brake_done(Winch *w, const Occasion *now)
 {
     WinchPhase *const phase = &w->phase;
@@ -167,7 +166,7 @@ static Occurrence winch_happen(Room *room, const Occasion *now)
 
 /* ----------------------------------------------------------------------------------------------------- commands */
 
-/* (K2). It sets the speed, also of a winch that stands. */
+/* (K2). Commands the speed, also of a winch that stands. */
 static void obey(Winch *w, double t, double speed, double ramp)
 {
     const Profile to = {.kind = PROFILE_STEP, .v0 = winch_speed(w, t), .t1 = ramp, .v1 = speed};
@@ -176,7 +175,7 @@ static void obey(Winch *w, double t, double speed, double ramp)
     w->phase.told = 0;
 }
 
-/* (K2). Down to rest from whatever it does now; to come back to it. */
+/* (K2). Ramps down to rest; the present motion can be resumed. */
 static void stop(Winch *w, double t, double ramp)
 {
     WinchPhase *const now = &w->phase;
@@ -222,7 +221,7 @@ static int tension_command(Winch *w, const Command *c, double t, hawser_error *e
     }
     if (c->kind == HAWSER_WINCH_TENSION) {
         if (!isnan(now->before)) {
-            now->before = c->value; /* for when it goes on */
+            now->before = c->value; /* for a later restart */
         } else {
             now->tension = command_ramp(&now->tension, t, c->value, c->ramp);
         }
@@ -281,7 +280,7 @@ double winch_largest_speed(const Winch *w, double until)
     return winch_def_largest_speed(&now, until);
 }
 
-static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */
+static const double FADE = 0.2; /* s, in which the motion of a segment that was taken in dies out */
 
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)
 {
@@ -300,8 +299,8 @@ int winch_free_axes(const Winch *w, const WinchDef *def, Vec3 axis[2])
     return 2;
 }
 
-/* The ghost at the chain's head (segment n). That of a set tension stays where it is: it holds no more than the head's
- * attitude. A segment that was taken in keeps its own motion for a moment (RL16). */
+/* The ghost at the chain's head (segment n). That of a set tension does not move: it only holds the head's attitude.
+ * The own motion of a segment that was taken in fades out (RL16). */
 static void winch_ghost(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
     const Winch *const w = room->self;
@@ -331,7 +330,7 @@ static void winch_ghost(const Room *room, const Scene *scene, double t, Kinemati
     if (free_axes > 0) slide_ghost(&scene->chain, kin, n, n - 1, free_axes, free_axis); /* (WI1a) */
 }
 
-/* Corners of its motion or force, and the ends of its phases. */
+/* Corners of its speed or force, and the ends of its phases. */
 static double winch_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -380,12 +379,12 @@ WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *k
     return (WinchMotion){v3_dot(e.off, w->direction), v3_dot(e.velocity, w->direction)};
 }
 
-/* How the force on the head's end changes with its place and its velocity: along the pull and across it, N/m, N s/m. */
+/* Change of the force on the head's end with its place and its velocity: along the pull and across it, N/m, N s/m. */
 typedef struct HeadLaw {
     double along, k_along, c_along, k_across, c_across; /* N; N/m, N s/m */
 } HeadLaw;
 
-/* What is left of the tension as the brake comes on, and the brake (K3). */
+/* Rest of the tension while the brake is being applied, and the brake (K3). */
 static void brake_share(const Winch *w, double share, double x, double v, HeadLaw *law)
 {
     const int holds = w->phase.held == HELD_TOLD;
@@ -395,7 +394,7 @@ static void brake_share(const Winch *w, double share, double x, double v, HeadLa
     law->k_along = k;
 }
 
-/* (WI2) or, while the brake is on, (WI5); across the line (WI3). */
+/* (WI2), or (WI5) while the brake is on; across the line (WI3). */
 static HeadLaw head_law(const Winch *w, const HeadEnd *e, double t)
 {
     const double x = v3_dot(e->off, w->direction), v = v3_dot(e->velocity, w->direction);
@@ -420,14 +419,14 @@ double winch_pull(const Winch *w, const Chain *chain, const Kinematics *kin, dou
     return head_law(w, &e, t).along;
 }
 
-/* Stiffness times a change of the end's place, damping times one of its velocity. */
+/* Stiffness times a change of the end's place, or damping times one of its velocity. */
 static Vec3 head_change(const Winch *w, double along, double across, Vec3 d)
 {
     const double x = v3_dot(d, w->direction);
     return v3_axpy(v3_scale(-along * x, w->direction), -across, v3_axpy(d, -x, w->direction));
 }
 
-/* The whole force on the head's end (WI4). */
+/* Total force on the head's end (WI4). */
 static Vec3 head_force(const Winch *w, const HeadLaw *law, const HeadEnd *e)
 {
     const Vec3 across = v3_add(head_change(w, 0, law->k_across, e->off), head_change(w, 0, law->c_across, e->velocity));
@@ -458,7 +457,7 @@ static void winch_blocks(const Room *room, const Moment *m, BlockChain *k, Block
     const Vec3 f = head_force(w, &law, &e);
     for (int c = 0; c < 3; ++c) {
         const Vec3 unit = v3_axis(c);
-        const Vec3 turned = v3_cross(unit, e.arm); /* the arm's change by dphi, the end's velocity by dw */
+        const Vec3 turned = v3_cross(unit, e.arm); /* change of the arm by dphi, of the end's velocity by dw */
         const Vec3 by_x = head_change(w, law.k_along, law.k_across, unit);
         const Vec3 by_v = head_change(w, law.c_along, law.c_across, unit);
         const Vec3 by_w = head_change(w, law.c_along, law.c_across, turned);
@@ -473,8 +472,8 @@ static void winch_blocks(const Room *room, const Moment *m, BlockChain *k, Block
 
 /* ---------------------------------------------------------------------------------------------------- the pull */
 
-/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
- */
+/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without
+ * one. */
 static double winch_pull_now(const Scene *scene, Workspace *ws, double t)
 {
     const Winch *const w = scene->winch;
@@ -482,7 +481,7 @@ static double winch_pull_now(const Scene *scene, Workspace *ws, double t)
     if (!w->present) return 0;
     if (w->mode == WINCH_TENSION) return winch_pull(w, &scene->chain, &ws->kin, t);
     bushing_kernels()->loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1,
-                             &ws->joints); /* the last lane holds the head's */
+                             &ws->joints); /* the last lane contains the head's joint */
     return v3_dot(v3_load(ws->joints.force, n), w->direction);
 }
 
@@ -494,7 +493,7 @@ double winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *
     return winch_pull_now(scene, ws, t);
 }
 
-/* At the ghost, whose joint holds the head; and what a set tension does to the head's end (BA2). */
+/* Power at the ghost, whose joint holds the head, and of a set tension on the head's end (BA2). */
 static void winch_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     const Winch *const w = room->self;
@@ -515,7 +514,7 @@ static int winch_look(const Room *room, const Moment *m)
 
 /* ---------------------------------------------------------------------------------------------------- building */
 
-/* s: of the brake's stiffness, which damps the head at least while it comes on (K3). */
+/* s: over the brake's stiffness: least damping of the head while the brake is being applied (K3). */
 static const double SLOWING = 0.01;
 
 double winch_place(const Scene *scene)
@@ -546,8 +545,8 @@ void winch_init(Winch *w, const WinchDef *def)
                             .before = NAN};
 }
 
-/* It stands where the head's end is and pulls along the route's end direction; its ghost carries on the frame of the
- * last segment. Errors: MEMORY. */
+/* Places the winch at the head's end, pulling along the route's end direction; the frame of its ghost continues that of
+ * the last segment. Errors: MEMORY. */
 static hawser_status winch_stand(Winch *w, const Scene *scene, hawser_error *err)
 {
     const int n = scene->chain.n;
@@ -613,7 +612,7 @@ static const char *winch_not_planar(const Room *room, const Scene *scene)
     return w->mode == WINCH_SPEED ? NULL : "the winch pulls with a set tension";
 }
 
-/* What the winch is told, and what it does of itself, is among its controls. */
+/* Commands and the winch's own phases are among its controls. */
 static void winch_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
 {
     (void)scene, (void)ws;

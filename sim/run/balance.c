@@ -20,7 +20,7 @@ void balance_gather(const Workspace *ws, BalanceRates *out)
     }
 }
 
-/* The kinematics and the joints at the chain's ends. */
+/* Updates the kinematics and the joints at the chain's ends. */
 static void ends_look(const Moment *m, const double *y)
 {
     const Scene *const scene = m->scene;
@@ -74,8 +74,8 @@ void balance_stock(const Scene *scene, Workspace *ws, const double *own, Balance
     }
 }
 
-/* Rates are summed as one run of numbers. */
-static const double ROUNDING = 1e-10; /* of what is held: its differences know no more */
+/* Rates are summed as one array of numbers. */
+static const double ROUNDING = 1e-10; /* of the stored energy: differences below it are rounding */
 
 enum { RATES = sizeof(BalanceRates) / sizeof(double), POWERS = BALANCE_WORKS + BALANCE_LOSSES };
 
@@ -84,11 +84,11 @@ typedef union RateList {
     double value[RATES];
 } RateList;
 
-/* The books as they stand: what has gone through since the beginning. */
+/* State of the balances: sums since the beginning. */
 typedef struct Entries {
     RateList sum;     /* J and N s */
-    double numerical; /* J, that the method has taken out of the motion (BA11) */
-    double carried;   /* J, by segments that joined, less that of those that left */
+    double numerical; /* J, taken out of the motion by the method (BA11) */
+    double carried;   /* J, of segments that joined, less that of those that left */
 } Entries;
 
 struct Balance {
@@ -97,12 +97,12 @@ struct Balance {
     Entries entries;         /* since the beginning */
     double turnover[POWERS]; /* J: the sizes of the sums of works and losses */
     double moving_most;      /* J, largest energy of motion */
-    double tolerated;        /* J, of a motion with the tolerance's speed (N10): less is none */
-    double *past;            /* [motion_past] what the last step leaves for (BA11) */
-    int opened;              /* the steady window is */
-    Entries at_window;       /* when it did, with what was stored then, J */
+    double tolerated;        /* J, of a motion with the tolerance's speed (N10): less counts as zero */
+    double *past;            /* [motion_past] data of the last step for (BA11) */
+    int opened;              /* 1: the steady window has begun */
+    Entries at_window;       /* values at that time, with the stored energy, J */
     double stored_at_window;
-    Vec3 weight; /* N, of what is simulated now */
+    Vec3 weight; /* N, of the present simulated part */
     BalanceStock first, here;
     Vec3 carried_momentum;
     double *rates; /* [size] scratch of an evaluation */
@@ -110,14 +110,14 @@ struct Balance {
     hawser_balance out;
 };
 
-/* Everything at (t, y). */
+/* Stored energy and momentum at (t, y). */
 static void stock_at(Balance *b, Motion *motion, double t, const double *y, BalanceStock *out)
 {
     motion->ops->rates(motion, t, y, b->rates);
     motion->ops->stock(motion, t, y, out);
 }
 
-/* Room for the rates of a motion and for what its steps leave; 0 if there is no memory. */
+/* Makes room for the rates of a motion and for the data of its steps; 0 if there is no memory. */
 static int room_renew(Balance *b, const Motion *motion)
 {
     if (motion->size <= b->size) return 1;
@@ -129,7 +129,7 @@ static int room_renew(Balance *b, const Motion *motion)
     return b->size > 0;
 }
 
-/* Where the steps (BA11) begin, or begin again: y, whose rates were evaluated last. */
+/* Begins the steps of (BA11), or begins them again: y, whose rates were evaluated last. */
 static void past_begin(Balance *b, const Motion *motion, const double *y)
 {
     const Chain *const chain = &motion->scene->chain;
@@ -141,7 +141,7 @@ static void past_begin(Balance *b, const Motion *motion, const double *y)
     b->tolerated = fmax(b->tolerated, mass * speed * speed / 2);
 }
 
-/* Empty books; NULL if there is no memory. */
+/* Balances without entries; NULL if there is no memory. */
 static Balance *balance_empty(const Motion *motion)
 {
     Balance *const b = calloc(1, sizeof *b);
@@ -178,7 +178,7 @@ static double energy_of(const BalanceStock *stock)
     return sum;
 }
 
-/* The steady window begins at (t, y). */
+/* Begins the steady window at (t, y). */
 static void window_open(Balance *b, Motion *motion, double t, const double *y)
 {
     if (b->opened || t < motion->scene->def.output.steady_from) return;
@@ -188,7 +188,7 @@ static void window_open(Balance *b, Motion *motion, double t, const double *y)
     b->stored_at_window = energy_of(&b->here) - b->here.energy[IN_BENDING];
 }
 
-/* (BA9): the trapezoidal rule over the accepted steps; and what the method took in this one (BA11). */
+/* (BA9): the trapezoidal rule over the accepted steps; and the loss by the method in this one (BA11). */
 void balance_step(Balance *b, Motion *motion, double t, const double *y, const double *rates, double h)
 {
     RateList next;
@@ -214,7 +214,7 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
     BalanceStock after;
     if (!room_renew(b, motion)) return error_memory(err);
     stock_at(b, motion, t, y, &after);
-    b->t = t; /* between leaving and entering nothing is booked */
+    b->t = t; /* between leaving and entering nothing is added */
     b->entries.carried += energy_of(&after) - energy_of(&b->here);
     b->carried_momentum = v3_add(b->carried_momentum, v3_sub(after.momentum, b->here.momentum));
     b->weight = after.weight;
@@ -224,7 +224,7 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
     return HAWSER_OK;
 }
 
-/* (QS13); the pushes of a position add up to nothing, so that momentum is carried as a whole. */
+/* (QS13); the forces of a position add up to zero, so that momentum is carried as a whole. */
 hawser_status balance_position(Balance *b, Motion *motion, double t, const double *y, hawser_error *err)
 {
     RateList next;
@@ -265,7 +265,7 @@ static const char *const PUSHES[BALANCE_PUSHES] = {"winch",   "tail",  "lead_in"
                                                    "ends",    "loads", "",        "medium",   "",
                                                    "outside", "drag",  "rollers", "surfaces", "weight"};
 
-/* Adds a term that is there; what most goes through, or moves, is what the residual is measured by. */
+/* Adds a term if it is present; the residual is measured by the largest turnover, or by the motion. */
 static void term_add(hawser_balance *out, hawser_balance_kind kind, const char *name, double energy, double turnover)
 {
     if (turnover > out->turnover_J) {
@@ -283,7 +283,7 @@ static void vector_out(Vec3 v, double out[3])
     out[2] = v.z;
 }
 
-/* Works and losses, and what the first is more than the second. */
+/* Works less losses. */
 static double entries_gain(const Entries *e)
 {
     double gain = 0;
@@ -313,7 +313,8 @@ static void energy_close(Balance *b, hawser_balance *out)
         held = fmax(held, fabs(b->here.energy[k]));
         const int any = fabs(b->here.energy[k]) > 0 || fabs(change) > 0;
         if (any) out->term[out->n_terms++] = (hawser_balance_term){HAWSER_BALANCE_STORED, STORES[k], change, {0, 0, 0}};
-        if (!(e->carried > 0) && !(e->carried < 0) && fabs(change) > out->turnover_J) { /* carried: nothing moved it */
+        if (!(e->carried > 0) && !(e->carried < 0) && fabs(change) > out->turnover_J) { /* carried energy: nothing moved
+                                                                                         * it */
             out->turnover_J = fabs(change);
             out->turnover_of = STORES[k];
         }
@@ -337,7 +338,7 @@ BalanceWindow balance_window(const Balance *b)
 {
     const Entries *const from = &b->at_window, *const to = &b->entries;
     if (!b->opened) return (BalanceWindow){0};
-    /* what sliders hold is among the losses here */
+    /* the energy of sliders is among the losses here */
     const double stored = energy_of(&b->here) - b->here.energy[IN_BENDING] - b->stored_at_window;
     return (BalanceWindow){.winch = to->sum.by.work[BY_WINCH] - from->sum.by.work[BY_WINCH],
                            .numerical = to->numerical - from->numerical,

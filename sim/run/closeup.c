@@ -106,7 +106,7 @@ Around *around_free(Around *a)
     return NULL;
 }
 
-/* Room for one more; NULL without memory. */
+/* Makes room for one more contact; NULL without memory. */
 static hawser_contact *contact_add(Closeup *c)
 {
     if (c->n_contacts == c->contacts_room) {
@@ -119,14 +119,14 @@ static hawser_contact *contact_add(Closeup *c)
     return &c->contact[c->n_contacts++];
 }
 
-/* The two segments that carry a point of the line, with their weights, and the contact radius there. */
+/* The two segments that share a point of the line, with their weights, and the contact radius there. */
 typedef struct Carried {
     int body[2];
     LineWeights weight;
     double radius;
 } Carried;
 
-/* Velocity of the cable's surface where a partner with normal n presses it (C12). */
+/* Velocity of the cable's surface where a partner with normal n touches it (C12). */
 static Vec3 surface_velocity(const Chain *chain, const Kinematics *kin, const Carried *at, Vec3 n)
 {
     Vec3 v = V3_ZERO, spin = V3_ZERO;
@@ -140,7 +140,7 @@ static Vec3 surface_velocity(const Chain *chain, const Kinematics *kin, const Ca
     return v3_axpy(v, -at->radius, v3_cross(spin, n));
 }
 
-/* The nearer of the two, of the whole chain. */
+/* The nearer of the two segments, as index in the whole chain. */
 static int carrier(const Scene *scene, const Carried *at)
 {
     const int second = at->body[0] < 0 || (at->body[1] < scene->chain.n && at->weight.alpha[1] >= 0.5);
@@ -188,7 +188,7 @@ static int roller_contact(Closeup *c, const Scene *scene, const ContactPart *par
     return 1;
 }
 
-/* 0 without memory. */
+/* Returns 0 without memory. */
 static int rollers_look_close(Closeup *c, const Scene *scene, Workspace *ws)
 {
     int ok = 1;
@@ -243,7 +243,7 @@ static int surfaces_look_close(Closeup *c, const Scene *scene, Workspace *ws)
 
 /* ------------------------------------------------------------------------------------------------ cable on cable */
 
-/* Velocity of what is fixed to a segment at a point, m/s. */
+/* Velocity of a point fixed to a segment, m/s. */
 static Vec3 velocity_at(const Kinematics *kin, int i, Vec3 point)
 {
     return v3_add(v3_load(kin->v, i), v3_cross(v3_load(kin->w, i), v3_sub(point, v3_load(kin->p, i))));
@@ -285,7 +285,7 @@ hawser_status closeup_contacts(Closeup *c, const Scene *scene, Workspace *ws, do
 {
     const Moment m = {scene, ws, t, 1};
     c->n_contacts = 0;
-    for (int r = 0; r < scene->n_rooms; ++r) { /* friction that sticks leans by what was slid until t */
+    for (int r = 0; r < scene->n_rooms; ++r) { /* the lean of friction that sticks grows by the slip until t */
         const Room *const room = &scene->room[r];
         if (room->present && room->kind->begin) room->kind->begin(room, &m);
     }

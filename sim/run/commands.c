@@ -22,7 +22,7 @@ hawser_status sim_note(Sim *s, hawser_event_code code, double t, const char *wha
     const hawser_status status = events_say(&s->events, event, err);
     if (status) return status;
     const Sim *const first = s->leader ? s->leader : s;
-    /* between two calls there is nothing to end */
+    /* outside a run there is nothing to stop */
     if (s->calls.event && s->calls.event(s->calls.event_user, s, &event) && (first->inside || first->running))
         s->calls.stop = "by an event's call-back";
     if (!s->calls.log) return HAWSER_OK;
@@ -44,7 +44,7 @@ hawser_status sim_call(Sim *s, hawser_error *err)
     return error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s %s", st->t, by);
 }
 
-/* A chain, and all that move together with it. */
+/* Number of chains, and all that move together with a chain. */
 static int chains_of(Sim *s, Sim **first)
 {
     *first = s->leader ? s->leader : s;
@@ -90,12 +90,12 @@ static void command_text(const Command *c, char *text, size_t size)
     snprintf(text, size, "command: %s%s%s, over %g s", kind->says, of, value, c->ramp);
 }
 
-/* Whether numbers are such that something can be done with them. Errors: INPUT. */
+/* Checks whether the numbers are valid for the command. Errors: INPUT. */
 static hawser_status command_check(const Sim *s, const Command *c, hawser_error *err)
 {
     const CommandKind *const kind = command_kind(c->kind);
     const double all = v3_norm(c->force) + v3_norm(c->moment) + v3_norm(c->arm);
-    if (!kind) return error_set(err, HAWSER_ERR_INPUT, "%d is no command", c->kind);
+    if (!kind) return error_set(err, HAWSER_ERR_INPUT, "%d is not a command", c->kind);
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS)
         return error_set(err, HAWSER_ERR_INPUT, "commands are for runs with 'analysis: dynamics'");
     if (!(c->ramp >= COMMAND_RAMP_LEAST && c->ramp <= COMMAND_RAMP_MOST))
@@ -109,7 +109,7 @@ static hawser_status command_check(const Sim *s, const Command *c, hawser_error 
     return HAWSER_OK;
 }
 
-/* Every room that it is for. Errors: INPUT. */
+/* Passes the command to every equipment kind that it concerns. Errors: INPUT. */
 static hawser_status rooms_tell(Scene *scene, const Command *c, double t, hawser_error *err)
 {
     int taken = 0;
@@ -125,7 +125,7 @@ static hawser_status rooms_tell(Scene *scene, const Command *c, double t, hawser
                      *c->what ? "such thing as '" : command_kind(c->kind)->thing, c->what, *c->what ? "'" : "");
 }
 
-/* The planar equations know a winch's speed, and nothing else that can be told. */
+/* The planar equations accept commands to a winch's speed only; others take the motion to space. */
 static hawser_status motion_follow(Stage *st, const Command *c, hawser_error *err)
 {
     char why[PLANE_WHY_MAX];
@@ -161,7 +161,7 @@ double script_next(const Sim *s)
     return s->script_done < def->n_script ? def->script[s->script_done].at : INFINITY;
 }
 
-/* A place of the chain is where it was on the unstretched chain. */
+/* Segment at a place of the unstretched chain. */
 static int segment_at(const Scene *scene, double place)
 {
     const SceneDef *const def = &scene->def;
@@ -194,7 +194,7 @@ hawser_status script_due(Sim *s, hawser_error *err)
 
 /* --------------------------------------------------------------------------------------------------------- saved */
 
-/* in_space: whether the motion was, or is to be. */
+/* in_space: whether the motion was, or is to be, in space. */
 static size_t controls_go(Sim *s, ControlsVisit *visit, int *in_space)
 {
     Scene *const scene = &s->stage.scene;
@@ -226,9 +226,9 @@ hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error 
     ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1, .room = size};
     int in_space = 0;
     const size_t read = controls_go(s, &visit, &in_space);
-    if (visit.wrong) return error_set(err, HAWSER_ERR_INPUT, "what has become of commands cannot be");
+    if (visit.wrong) return error_set(err, HAWSER_ERR_INPUT, "the state of commands is impossible");
     if (read != size)
         return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
-    outside_attend(&s->stage.scene, in_space); /* what lay in a plane is read as that, whatever acts on it now */
-    return in_space ? stage_to_space(&s->stage, "in space since a command asked for it", err) : HAWSER_OK;
+    outside_attend(&s->stage.scene, in_space); /* a planar motion is loaded as such, whatever loads act on it now */
+    return in_space ? stage_to_space(&s->stage, "in space since a command required it", err) : HAWSER_OK;
 }

@@ -9,7 +9,7 @@
 
 enum { QUANTITIES = 3, LINE_ARRAYS = 2 + 3 * QUANTITIES };
 
-/* Cuts a line's arrays off the memory; nothing has been seen yet. */
+/* Assigns a line's arrays within the memory; all are empty. */
 static void line_cut(EnvelopeLine *line, int n, double **memory)
 {
     double **const array[LINE_ARRAYS] = {&line->s,
@@ -56,20 +56,20 @@ void envelope_free(Envelope *e)
     *e = (Envelope){0};
 }
 
-/* Comparisons with NAN are false: the first value is both. */
+/* Comparisons with NAN are false: the first value becomes minimum and maximum. */
 static void widen(Extremes *x, int i, double value)
 {
     if (!(x->least[i] <= value)) x->least[i] = value;
     if (!(x->largest[i] >= value)) x->largest[i] = value;
 }
 
-/* The first value stands for no time; the mean of one value is that. */
+/* The first value has no duration; the mean of one value is that value. */
 static void average(Extremes *x, int i, double value, double share)
 {
     x->mean[i] = isnan(x->mean[i]) ? value : x->mean[i] + share * (value - x->mean[i]);
 }
 
-/* What a sample says of one joint. */
+/* Figures of one joint in a sample. */
 typedef struct Values {
     double of[QUANTITIES]; /* tension, curvature, sidewall pressure */
 } Values;
@@ -95,14 +95,14 @@ static void line_average(EnvelopeLine *line, int i, const Values *v, double dt)
     average(&line->sidewall, i, v->of[2], share);
 }
 
-/* Where the simulated joints 0..last are along the route. */
+/* Finds the places of the simulated joints 0..last along the route. */
 static void places_find(Envelope *e, const Scene *scene, const Kinematics *kin, const hawser_sample *sample, int last)
 {
     for (int j = 0; j <= last; ++j) e->at[j] = along_joint(scene, kin, sample->winch_travel, j);
 }
 
-/* The places between two neighbouring joints, linear between these. A largest value is seldom at a place: a joint
- * widens the place that is nearest to it, too. */
+/* Records the places between two neighbouring joints, by linear interpolation. A largest value is seldom at a place:
+ * each joint also widens the extremes of the place nearest to it. */
 static void stretch_record(Envelope *e, double from, const Values *a, double to, const Values *b, double dt)
 {
     EnvelopeLine *const line = &e->place;

@@ -19,7 +19,7 @@ static void skin_begin(Skin *m, SkinPart part, int item)
     m->now_item = item;
 }
 
-/* Makes room for so many more; 0 without memory. */
+/* Makes room for more points and triangles; returns 0 without memory. */
 static int room_make(Skin *m, int points, int triangles)
 {
     if (m->n_points + points > m->room_points) {
@@ -44,7 +44,7 @@ static int room_make(Skin *m, int points, int triangles)
 
 static void point_add(Skin *m, Vec3 p) { v3_put(m->points + 3 * m->n_points++, p); }
 
-/* Those with two corners in one place are nothing to be seen. */
+/* Triangles with two corners in one place are left out. */
 static void triangle_add(Skin *m, int a, int b, int c)
 {
     const int corner[3] = {a, b, c};
@@ -57,7 +57,7 @@ static void triangle_add(Skin *m, int a, int b, int c)
     m->item[m->n_triangles++] = m->now_item;
 }
 
-/* Triangles over the last n rows of `count` points. */
+/* Adds triangles over the last n rows of `count` points. */
 static void rows_join(Skin *m, int n, int count, int closed)
 {
     const int first = m->n_points - n * count;
@@ -106,7 +106,7 @@ static void skin_box(Skin *m, Vec3 centre, const Vec3 axis[3], const double half
 {
     const double section[4][2] = {{-half[1], -half[2]}, {half[1], -half[2]}, {half[1], half[2]}, {-half[1], half[2]}};
     const Vec3 from = v3_axpy(centre, -half[0], axis[0]), to = v3_axpy(centre, half[0], axis[0]);
-    /* a lid is a section of no size */
+    /* a lid is a section of size 0 */
     const SkinPlace place[4] = {
         {from, axis[1], axis[2], 0}, {from, axis[1], axis[2], 1}, {to, axis[1], axis[2], 1}, {to, axis[1], axis[2], 0}};
     skin_sweep(m, 4, place, 4, section, 1);
@@ -121,12 +121,13 @@ static void skin_free(Skin *m)
     *m = (Skin){0};
 }
 
-/* What is seen: rollers with their grooves, ducts and trays without thickness, belts and the drum as simple bodies. */
+/* Visible bodies: rollers with their grooves, ducts and trays without thickness, belts and the drum as simple
+ * bodies. */
 
 /* Corners of a whole circle; points of a half groove's arc. */
 enum { TUBE_SIDES = 16, ARC_POINTS = 3 };
 
-/* Half of a groove's profile from the middle out, (along the axis, radius): (GR1). Returns how many points. */
+/* Half of a groove's profile from the middle out, (along the axis, radius): (GR1). Returns the number of points. */
 static int groove_half(const RollerDef *r, double (*profile)[2])
 {
     const Groove *const g = &r->groove;
@@ -154,7 +155,7 @@ static void roller_skin(Skin *m, const RollerDef *r)
     half[n][1] = r->radius + (grooved ? r->groove.depth : 0);
     half[n + 1][1] = 0;
     n += 2;
-    /* the other half, whose middle is the same point */
+    /* the other half, which shares the middle point */
     int count = 0;
     for (int k = n - 1; k >= grooved; --k, ++count) {
         profile[count][0] = -half[k][0];
@@ -201,7 +202,7 @@ static void rollers_skin(Skin *m, const SceneDef *def)
     }
 }
 
-/* An arc of the section about (0, middle), its points counted through the bottom to the left; whole: a circle. */
+/* An arc of the section about (0, middle), its points ordered through the bottom to the left; whole: a circle. */
 static int arc_section(double radius, double middle, int whole, double (*section)[2])
 {
     const int n = whole ? TUBE_SIDES : TUBE_SIDES / 2 + 1;
@@ -213,12 +214,12 @@ static int arc_section(double radius, double middle, int whole, double (*section
     return n;
 }
 
-/* The section of a surface about its bottom's middle (a duct's: its bore's). Returns how many points. */
+/* Section of a surface about the middle of its bottom (of a duct: of its bore). Returns the number of points. */
 static int section_of(const GeometrySurface *s, double (*section)[2])
 {
     const double half = s->width / 2, high = s->height > 0 ? s->height : 0;
     if (s->section[0] == 'd') return arc_section(s->diameter / 2, 0, 1, section);
-    if (s->section[0] == 'u') { /* its sides may go on upright, or end below */
+    if (s->section[0] == 'u') { /* its sides may be extended upright, or end lower */
         const int n = arc_section(half, half, 0, section + 1);
         section[0][0] = -half;
         section[n + 1][0] = half;
@@ -236,7 +237,7 @@ static int section_of(const GeometrySurface *s, double (*section)[2])
     return n;
 }
 
-/* A surface's section along its way; aside is square to the way and to its upward direction. */
+/* Sweeps a surface's section along its line; aside is normal to the line and to its upward direction. */
 static void surface_skin(Skin *m, const GeometrySurface *s)
 {
     double section[TUBE_SIDES + 4][2];
@@ -271,7 +272,7 @@ static void reel_skin(Skin *m, const GeometryReel *r)
     skin_turn(m, v3_get(r->centre), v3_get(r->axis), 6, profile);
 }
 
-/* Adds the triangles of all that has been found (geometry_skin.c); skin.failed says whether there was no memory. */
+/* Adds the triangles of all geometry found; skin.failed reports lack of memory. */
 static void geometry_skin(Geometry *g, const Scene *scene)
 {
     Skin *const m = &g->skin;
@@ -290,10 +291,10 @@ static void geometry_skin(Geometry *g, const Scene *scene)
     if (g->reel.present) reel_skin(m, &g->reel);
 }
 
-/* Of a straight between two points, m. */
+/* Largest distance of points on a straight, m. */
 static const double STRIDE = 5;
 
-/* n zeroed items that the geometry owns; NULL without memory. */
+/* Returns n zeroed items that the geometry owns; NULL without memory. */
 static void *array_new(Geometry *g, int n, size_t size)
 {
     void **const owned = realloc(g->owned, ((size_t)g->n_owned + 1) * sizeof *owned);
@@ -311,8 +312,8 @@ static void say(GeometryText out, const char *text) { snprintf(out, sizeof(Geome
 
 /* ------------------------------------------------------------------------------------------------------ the route */
 
-/* Points of a stretch of the route, evenly on each of its pieces: a chord of length h leaves a bend of radius R by
- * h^2/(8 R). `scale` makes all chords longer. Returns how many; s may be NULL. */
+/* Points of a stretch of the route, evenly on each of its pieces: a chord of length h is off a bend of radius R by
+ * h^2/(8 R). `scale` makes all chords longer. Returns their number; s may be NULL. */
 static int places_find(const Route *route, double from, double to, double scale, double *s)
 {
     int n = 0;
@@ -330,7 +331,7 @@ static int places_find(const Route *route, double from, double to, double scale,
     return n + 1;
 }
 
-/* Never more than GEOMETRY_POINTS_MAX but for one a piece. *scale: what it takes. */
+/* Number of points, at most GEOMETRY_POINTS_MAX unless there are more pieces. *scale: the factor that this needs. */
 static int places_count(const Route *route, double from, double to, double *scale)
 {
     int n = 0;
@@ -421,10 +422,10 @@ static int obstacles_fill(Geometry *g, const SceneDef *def)
 
 /* ----------------------------------------------------------------------------------------------------- surfaces */
 
-/* What a plane that has no end is cut off to: as far as the route is beside it, and this much more, m. */
+/* An infinite plane is shown as far as the route is beside it, and this much farther, m. */
 static const double MARGIN = 2;
 
-/* Half of what is shown of a plane along a unit vector, and the middle moved there. */
+/* Half the length that is shown of a plane along a unit vector; moves the middle to it. */
 static double plane_half(const Geometry *g, Vec3 along, double length, Vec3 *middle)
 {
     if (length > 0) return length / 2;
@@ -457,7 +458,7 @@ static int plane_fill(Geometry *g, const SurfaceShape *d, GeometrySurface *out)
     return 1;
 }
 
-/* From the route's line to the middle of the bottom, upward, m; of a V where its planes meet (faces_v). */
+/* Height of the middle of the bottom above the route's line, m; for a V, where its planes meet (faces_v). */
 static double bottom_of(const SurfaceShape *d)
 {
     const double half = sin(d->angle / 2);
@@ -534,7 +535,7 @@ static int conveyors_fill(Geometry *g, const Scene *scene)
     return 1;
 }
 
-/* A drum below the line (absent_take has it so, too), or one that is touched. */
+/* A drum below the line (as in absent_take), or one with contacts. */
 static void reel_fill(GeometryReel *out, const Scene *scene)
 {
     const Reel *const r = scene->reel;

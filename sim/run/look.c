@@ -22,7 +22,7 @@ const double *sim_state(const Sim *s) { return s->together ? s->together->y : s-
 
 Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
 
-/* Where lines meet no contact can tell on which side of each other they are. */
+/* No contact can find on which side of each other crossing lines are. */
 static hawser_status apart_check(Together *all, hawser_error *err)
 {
     const Bunch *const b = &all->bunch;
@@ -62,8 +62,8 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
     return status ? status : apart_check(all, err);
 }
 
-/* N, what theory says of chain k when its winch, or that of the rope that draws it, has come so far: a rope begins with
- * the pulls of all that it draws (SC15). */
+/* N, pull of chain k by theory when its winch, or that of the rope that pulls it, has travelled so far: a rope starts
+ * with the pulls of all chains that it pulls (SC15). */
 static double theory_at(Together *all, int k, PullLaw law, double travel, double t)
 {
     const Scene *const scene = &all->sim[k]->stage.scene;
@@ -74,7 +74,7 @@ static double theory_at(Together *all, int k, PullLaw law, double travel, double
     return by_position_theory(&setup, law, scene->joint_s[scene->eye] + travel, back, &all->no_memory);
 }
 
-/* The pulls of ropes and of what they draw in mid steady window. */
+/* Sets the pulls of ropes and of the chains that they pull in mid steady window. */
 static void totals_set(Together *all)
 {
     for (int k = 0; k < all->n; ++k) {
@@ -129,7 +129,7 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     return status;
 }
 
-/* N, what theory says now of a chain: of a rope with all that it draws. */
+/* N, present pull of a chain by theory; for a rope including all chains that it pulls. */
 static double together_expected(struct Together *all, const Sim *of)
 {
     const StrandDef *const strand = &of->stage.scene.def.strand;
@@ -143,7 +143,7 @@ static double together_expected(struct Together *all, const Sim *of)
     return NAN;
 }
 
-/* What is stepped is all of them, with the first one's integrator and books. */
+/* The steps are those of all chains, with the first one's integrator and balances. */
 static Steps steps_of(Together *all)
 {
     Stage *const st = &all->sim[0]->stage;
@@ -153,7 +153,7 @@ static Steps steps_of(Together *all)
 hawser_status together_step(struct Together *all, double stop, hawser_error *err)
 {
     Stage *const st = &all->sim[0]->stage;
-    if (all->no_memory) return error_memory(err); /* of a row before */
+    if (all->no_memory) return error_memory(err); /* failed at an earlier row */
     if (!st->integrator) bunch_gather(&all->bunch, all->state, all->y);
     const Steps steps = steps_of(all);
     const hawser_status status = steps_take(&steps, stop, &st->t, err);
@@ -175,7 +175,7 @@ hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_er
     return status ? status : steps_checkpoint(c, &steps, first->t, all->n, all->ws, err);
 }
 
-/* [n] what each chain's forces on rollers are by its workspace. */
+/* [n] forces of each chain on rollers, from its workspace. */
 static int forces_of(const Together *all, const Vec3 *on_roller[STRANDS_MAX])
 {
     for (int k = 0; k < all->n; ++k) on_roller[k] = all->ws[k]->on_roller;
@@ -209,7 +209,7 @@ double together_pull(const Together *all, const Sim *of)
     return bunch_pull(&all->bunch, k);
 }
 
-/* A chain whose head is joined to a rope goes as that does. */
+/* The head of a chain that is joined to a rope moves with that rope. */
 static void led_set(Together *all, int k)
 {
     Workspace *const ws = &all->sim[k]->stage.ws;
@@ -221,8 +221,8 @@ static void led_set(Together *all, int k)
     ws->head_pull = bunch_pull(&all->bunch, k);
 }
 
-/* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the
- * first, what the chains do to each other into its scene. */
+/* Completes a look at the present state: writes the pull on chain k, if another chain exerts it, into its workspace;
+ * for the first chain, the interaction of the chains into its scene. */
 static void together_look(struct Together *all, const Sim *of)
 {
     for (int k = 0; k < all->n; ++k)
@@ -240,7 +240,7 @@ static void together_look(struct Together *all, const Sim *of)
     bunch_sum(look);
 }
 
-/* ------------------------------------------------------------------------------------------- what is judged of all */
+/* ---------------------------------------------------------------------------------------- conditions of all chains */
 
 void together_overlap(const Together *all, Overlap *overlap, double t)
 {
@@ -251,7 +251,7 @@ void together_overlap(const Together *all, Overlap *overlap, double t)
     overlap_record(overlap, &lines, scene, t);
 }
 
-/* How much of what is allowed a condition has taken; what does not hold comes first. */
+/* Share of its allowed value that a condition has used; a failed condition counts more than any other. */
 static double taken(const hawser_condition *c)
 {
     if (!c->holds || isnan(c->value)) return INFINITY;
@@ -300,9 +300,9 @@ void sim_relaxation_take(Sim *s, const hawser_relaxation *found)
 
 const hawser_sample *sim_look(Sim *s, SampleParts parts)
 {
-    if (s->stage.torn) return &s->look.sample; /* what was seen last */
+    if (s->stage.torn) return &s->look.sample; /* the last sample */
     const double start = clock_now();
-    const int between = quasi_between(s); /* where forces are those of its two sides */
+    const int between = quasi_between(s); /* forces are then interpolated between its two positions */
     int active = 0;
     if (between) dynamics_kinematics(&s->stage.scene, &s->stage.ws, s->stage.t, s->stage.y);
     if (!between) active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);

@@ -6,10 +6,12 @@
 #include "core/error.h"
 #include "linsolve/small.h"
 
-/* Directions beyond those wanted; iterations at most; frequencies are found when they change by less. */
+/* Directions beyond those requested; largest number of iterations; frequencies have converged when they change by
+ * less. */
 enum { GUARD = 8, ITERATIONS_MAX = 200, SETTLING = 4 };
 static const double CLOSE = 1e-9;
-/* How far below the lowest frequency the shift lies; what is less symmetric counts as a follower's. */
+/* Distance of the shift below the lowest frequency; a matrix that is less symmetric counts as that of a follower
+ * load. */
 static const double SHIFT_BELOW = 0.3, SYMMETRIC = 1e-7;
 
 /* A subspace of `q` directions of the 6n velocities, column by column: v of all segments x, y, z, then w. */
@@ -20,11 +22,11 @@ typedef struct Subspace {
     double *x, *y;                   /* [q][size] directions; A^-1 M times them */
     double *m;                       /* [q][size] M times a set of directions */
     double *s, *t;                   /* [q q] reduced matrices */
-    double *z;                       /* [q q] their vectors */
+    double *z;                       /* [q q] their eigenvectors */
     double *mu, *imaginary, *before; /* [q] */
     int *order;                      /* [q] columns of z by rising size of mu */
     double *b;                       /* [state size] of one solution */
-    double rounding;                 /* 1/s2: what omega^2 may be off by (RD13) */
+    double rounding;                 /* 1/s2: rounding error of omega^2 (RD13) */
     double radius;                   /* m, of inertia for newton_swell; 0: the segments' own */
     double gamma;                    /* s, of A = M + gamma^2 K (RD11) */
 } Subspace;
@@ -54,7 +56,7 @@ static void space_free(Subspace *sp)
     free(sp->order);
 }
 
-/* K at the state of now, without damping, and the point at which the matrix is taken (RD10). */
+/* K at the present state, without damping, and the point at which the matrix is taken (RD10). */
 static void space_point(Subspace *sp)
 {
     Stage *const st = sp->st;
@@ -79,10 +81,10 @@ double modes_rounding(const Chain *c, double radius)
             largest = fmax(largest, 4 * fmax(bend, c->stiffness[3][j] / twist));
         }
     }
-    return 1e-14 * largest; /* a share of the largest omega^2 that any joint gives its segment */
+    return 1e-14 * largest; /* relative to the largest omega^2 that any joint gives its segment */
 }
 
-/* Start vectors that no mode is normal to: the same on every machine. */
+/* Start vectors that are normal to no mode: the same on every machine. */
 static void space_start(Subspace *sp)
 {
     unsigned long long seed = 88172645463325252ULL;
@@ -119,7 +121,7 @@ static void mass_times(const Subspace *sp, const double *x, double *out)
     }
 }
 
-/* y = A^-1 M x, by the solution of Newton's system with nothing but velocities on the right (N7), (RD11). */
+/* y = A^-1 M x, by solving Newton's system with only velocities on the right-hand side (N7), (RD11). */
 static hawser_status space_solve(Subspace *sp, hawser_error *err)
 {
     const size_t bytes = (size_t)sp->size * sizeof(double);
@@ -152,8 +154,8 @@ static void scale_by(int size, double s, double *a)
     for (int i = 0; i < size; ++i) a[i] *= s;
 }
 
-/* Makes the columns of y M-orthonormal, in two passes, and does the same to those of x, so that A y = M x still holds:
- * after a solution they all lean toward the lowest mode. */
+/* Makes the columns of y M-orthonormal, in two passes, and applies the same operations to x, so that A y = M x still
+ * holds: after a solution all columns are close to the lowest mode. */
 static void space_orthonormalise(Subspace *sp)
 {
     const size_t size = (size_t)sp->size;
@@ -186,7 +188,7 @@ static void project(Subspace *sp, const double *of, double *out)
     }
 }
 
-/* Whether s is symmetric up to rounding; then it is made so exactly, as t is in any case. */
+/* Checks whether s is symmetric up to rounding; if so makes it exactly symmetric, as t always is. */
 static int space_symmetric(Subspace *sp)
 {
     double off = 0, largest = 0;
@@ -209,7 +211,7 @@ static int space_symmetric(Subspace *sp)
     return symmetric;
 }
 
-/* Columns by rising |mu|: those that the iteration finds first. */
+/* Sorts columns by rising |mu|, the order in which the iteration converges. */
 static void space_sort(Subspace *sp)
 {
     for (int k = 0; k < sp->q; ++k) {
@@ -258,7 +260,7 @@ static hawser_status space_iterate(Subspace *sp, hawser_error *err)
 /* omega^2 of the k-th direction, real part, 1/s2 (RD13). */
 static double omega2(const Subspace *sp, int k) { return (sp->mu[sp->order[k]] - 1) / (sp->gamma * sp->gamma); }
 
-/* Largest change of the wanted omega^2 against their own size or the shift's. */
+/* Largest change of the requested omega^2, relative to their own size or the shift's. */
 static double space_change(Subspace *sp, int wanted)
 {
     double largest = 0;
@@ -270,7 +272,7 @@ static double space_change(Subspace *sp, int wanted)
     return largest;
 }
 
-/* A shift that the lowest modes are not far above: from the stiffest first guess downward in a few steps (RD13). */
+/* Finds a shift close below the lowest modes: from the stiffest first guess downward in a few steps (RD13). */
 static hawser_status space_settle(Subspace *sp, hawser_error *err)
 {
     double gamma = 1;
@@ -290,7 +292,7 @@ static hawser_status space_settle(Subspace *sp, hawser_error *err)
 
 /* ------------------------------------------------------------------------------------------------- results */
 
-/* omega = sqrt(omega^2), complex where the pair is: frequency and rate of growth (RD14). */
+/* omega = sqrt(omega^2), complex where the pair is: frequency and growth rate (RD14). */
 static void mode_put(const Subspace *sp, int k, hawser_mode *out)
 {
     const double im = sp->imaginary[sp->order[k]] / (sp->gamma * sp->gamma);
@@ -302,7 +304,7 @@ static void mode_put(const Subspace *sp, int k, hawser_mode *out)
                          .growth_per_s = sqrt(fmax(0, (size - re) / 2))};
 }
 
-/* The largest displacement is 1 m; a mode that only turns has its largest turn 1 rad. */
+/* Scales the largest displacement to 1 m; a mode of rotation alone to 1 rad. */
 static void shape_put(const Subspace *sp, int k, double *out)
 {
     const int n = sp->n;
@@ -318,7 +320,7 @@ static void shape_put(const Subspace *sp, int k, double *out)
     }
 }
 
-/* By rising omega^2: what grows comes first. */
+/* Sorts by rising omega^2: growing motions come first. */
 static void results_put(const Subspace *sp, int wanted, int *rank, Modes *modes)
 {
     for (int k = 0; k < wanted; ++k) {
@@ -335,7 +337,7 @@ static void results_put(const Subspace *sp, int wanted, int *rank, Modes *modes)
     modes->n = wanted;
 }
 
-/* Iterates until the wanted ones stand still. */
+/* Iterates until the requested modes no longer change. */
 static hawser_status space_run(Subspace *sp, int wanted, Modes *modes, hawser_error *err)
 {
     sp->rounding = modes_rounding(&sp->st->scene.chain, sp->radius);

@@ -6,18 +6,18 @@
 #include "sim/run/stage.h"
 
 typedef struct Modes {
-    int n, segments;  /* of modes found; of the chain */
+    int n, segments;  /* number of modes found; of segments of the chain */
     hawser_mode *out; /* [n], by rising frequency */
     double *shape;    /* [n][6 segments]: dx dy dz, rx ry rz of every segment, the largest displacement 1 m */
     int iterations;
 } Modes;
 
-/* The lowest `wanted` modes (or all there are) about the stage's state of now, which must be an equilibrium; friction
- * and damping left out. radius: 0, or that of inertia of newton_swell, m: then omega^2 has the right sign and no more.
- * Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
+/* Finds the lowest `wanted` modes (or all there are) about the stage's present state, which must be an equilibrium;
+ * without friction and damping. radius: 0, or the radius of inertia of newton_swell, m: then only the sign of omega^2
+ * is right. Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
 hawser_status modes_find(Stage *stage, int wanted, double radius, Modes *modes, hawser_error *err);
 void modes_free(Modes *modes);
-/* omega^2 (1/s2) that rounding of the stiffest spring may make or hide (RD13). */
+/* Size of omega^2 (1/s2) below which rounding of the stiffest spring dominates (RD13). */
 double modes_rounding(const Chain *chain, double radius);
 
 #endif

@@ -1,5 +1,5 @@
-/* What a simulation consists of: the scene on its stage, who watches it, whom it calls and what it is told. What it
- * can do is declared in sim/run/sim.h and sim/run/commands.h. */
+/* The parts of a simulation: the scene on its stage, its records, its call-backs and its commands. Its functions are
+ * declared in sim/run/sim.h and sim/run/commands.h. */
 #ifndef HAWSER_SIM_RUN_PARTS_H
 #define HAWSER_SIM_RUN_PARTS_H
 
@@ -16,7 +16,7 @@
 #include "sim/run/trust.h"
 #include "theory/stiffness.h"
 
-/* Whom a simulation calls; NULL: nobody. */
+/* Call-backs; NULL: none. */
 typedef struct Calls {
     hawser_step_function step;
     hawser_event_function event;
@@ -24,76 +24,76 @@ typedef struct Calls {
     void *step_user, *event_user, *log_user;
     hawser_log_level log_level;
     int law;          /* a law of force is set */
-    const char *stop; /* somebody who was called wants an end; who, in words */
+    const char *stop; /* text that names the call-back that requested a stop; NULL: none */
 } Calls;
 
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
-    Mesh mesh; /* what the places ask of segments */
+    Mesh mesh; /* figures of segment lengths, for conditions on the mesh */
     Probes probes;
     Modes modes;
-    Positions positions; /* n 0 of other analyses */
+    Positions positions; /* n is 0 in other analyses */
     QuasiRun quasi;
     Stats stats;
     Machines machines;
     Peaks peaks;
-    Envelope envelope; /* present if somebody has asked for it */
-    Closeup closeup;   /* the last that was asked for */
-    Around *around;    /* NULL: nobody has asked */
+    Envelope envelope; /* present once it was requested */
+    Closeup closeup;   /* the last one that was requested */
+    Around *around;    /* NULL: not requested yet */
     Expected expected;
     BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
     Calls calls;
-    int script_done; /* rows of the case's script */
+    int script_done; /* number of rows of the case's script that are done */
     hawser_relaxation relaxation;
-    LinStats lin;                                /* what was chosen, and why */
-    double build_s, relax_s, output_s, record_s; /* s; output_s is what the writer of results says it has spent */
+    LinStats lin;                                /* the chosen solver, and the reason */
+    double build_s, relax_s, output_s, record_s; /* s; output_s is reported by the writer of results */
     int threads;
-    Team *team;     /* of two, or NULL */
+    Team *team;     /* two threads, or NULL */
     int active_max; /* contacts */
-    int overturned; /* what has turned too far, and was said */
+    int overturned; /* segments or joints that have turned too far and were reported */
     Stray stray;
     Steadiness steadiness;
     Stall stall;
-    char held_says[200];  /* what holds the tail before the start; likewise */
-    char grade_says[512]; /* which bend loses the grade; an event has it */
+    char held_says[200];  /* force that holds the tail before the start; text of its event */
+    char grade_says[512]; /* bend that loses the grade; text of its event */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
-    TextPool texts;              /* of events and the like that were read from a checkpoint */
-    /* what the interface remembers for the results (io/api) */
+    TextPool texts;              /* for texts that were read from a checkpoint, e.g. of events */
+    /* data that the interface keeps for the results (io/api) */
     char *case_name, *title;       /* owned */
-    char *case_text, *case_folder; /* owned: the case as it was set, and where its files are (NULL: nowhere) */
+    char *case_text, *case_folder; /* owned: text of the case, and the folder of its files (NULL: none) */
     int relaxed, running;          /* running: inside hawser_sim_run */
     hawser_status outcome;         /* of the last call that computed */
-    int inside;                    /* it moves now: who is called must not have it move */
+    int inside;                    /* 1 inside a step: call-backs must not start another */
     char message[HAWSER_MESSAGE_MAX];
-    /* of a whole run's passes (io/api/api_run.c) */
-    SceneDef *plan;     /* the definition as the case has it; NULL: one pass is enough. Owned */
-    int pass;           /* 0; 1 and 2 of the second and third one */
-    double work_most;   /* evaluations times segments of a pass that is begun unasked; 0: ten minutes */
-    int led;            /* the caller has told it what to do: it cannot be computed again by itself */
-    OtherPasses others; /* what it knows of the others */
-    PassesSaid *passes; /* what is said of them; NULL: there is nothing to be said. Owned */
+    /* passes of a whole run (io/api/api_run.c) */
+    SceneDef *plan;     /* definition as in the case; NULL: one pass is enough. Owned */
+    int pass;           /* 0; 1 and 2 in the second and third pass */
+    double work_most;   /* evaluations times segments of a pass that starts without request; 0: ten minutes */
+    int led;            /* 1: the caller has given commands: it cannot be computed again automatically */
+    OtherPasses others; /* results of the other passes */
+    PassesSaid *passes; /* comparison of the passes; NULL: none. Owned */
     /* of several chains (sim/run/look.h) */
-    struct Together *together; /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
-    struct hawser_sim *leader; /* the first, where this is another; NULL */
-    struct hawser_sim *finer;  /* whose results have replaced this one's: SHOWN; owned */
+    struct Together *together; /* in the first of several chains: what moves them all; owned. NULL otherwise */
+    struct hawser_sim *leader; /* the first chain, in another one; NULL otherwise */
+    struct hawser_sim *finer;  /* simulation whose results have replaced this one's: SHOWN; owned */
 } Sim;
 
-/* The simulation whose results a handle stands for. */
+/* The simulation whose results a handle shows. */
 #define SHOWN(s) ((s) && (s)->finer ? (s)->finer : (s))
 
-/* The simulations of all chains: this one alone, or those that it leads (sim/run/look.c). */
+/* Number of chains, and their simulations: this one alone, or all that move with it (sim/run/look.c). */
 int sim_chains(const Sim *s);
 Sim *sim_chain(Sim *s, int k);
-/* What is integrated, and its state: of all chains together, or of this one. */
+/* The integrated motion and its state: of all chains together, or of this one. */
 Motion *sim_motion(const Sim *s);
 const double *sim_state(const Sim *s);
 
-/* A trip at a factor of what theory expects needs an expectation; of several chains they have one when all are built.
- * Errors: INPUT. */
+/* Sets the trip force given as a multiple of the expected pull, once theory has computed that; with several chains,
+ * when all are built. Errors: INPUT. */
 hawser_status sim_trip_set(Sim *s, hawser_error *err);
 
 #endif

@@ -6,13 +6,14 @@
 
 #include "core/error.h"
 
-/* Of a difference: the first pass's error is twice as large if errors halve, the second's as large as it, or a third if
- * they fall by four. What a pass says of itself is not believed to be more than so many times too much, by each other
- * one that agrees with it. */
+/* Error bound over the difference of two passes: for the first pass 2 (errors halve); for the second 1, or 1/3 if
+ * errors fall by a factor of four. TOO_MUCH: a pass's own bound is taken to be too wide by at most this factor for each
+ * other pass that agrees. */
 static const double FIRST = 2, SECOND = 1, SECOND_LEAST = 1.0 / 3, TOO_MUCH = 4;
-/* Peaks are of blows as often as not, which fall with the root of what is halved (EB32). */
+/* Peaks are often those of impacts, whose error falls with the square root of what is halved (EB32). */
 static const double SECOND_PEAK = 2.41421356237309505;
-/* What steps take of swings falls by a quarter a level at least: the first pass's is four times the difference. */
+/* The loss of oscillations in the steps falls by at least a quarter per level: that of the first pass is four times the
+ * difference. */
 static const double SWINGS_FIRST = 4, SWINGS_SECOND = 3;
 
 /* Mean and peak of the pull come first. */
@@ -20,7 +21,7 @@ enum { OF_MEAN, OF_PEAK, OF_TABLES };
 
 /* --------------------------------------------------------------------------------------------- figures of a pass */
 
-/* Takes one figure into its place, or leaves the place for the next. */
+/* Stores one figure in its place, or leaves the place empty. */
 static void figure_put(PassFigures *f, double value, double bar)
 {
     f->value[f->n] = value;
@@ -65,23 +66,23 @@ void other_passes_free(OtherPasses *others)
     *others = (OtherPasses){0};
 }
 
-/* ------------------------------------------------------------------------------------------ what passes differ by */
+/* -------------------------------------------------------------------------------------------- difference of passes */
 
-/* Whether this pass is the first of three: the last of them says what all are off by. */
+/* Checks whether this is the first of three passes: the error of all is then given by the last of them. */
 static int is_first_of_three(const OtherPasses *o) { return o->finer && o->n > 1; }
 
-/* By what figure i of this pass differs from that of the finest other one. */
+/* Difference of figure i from that of the finest other pass. */
 static double apart(const OtherPasses *o, int i, double value) { return fabs(o->other[0].value[i] - value); }
 
-/* How many times the difference of two passes this one may be off by: the coarser one, that, and what the finer is
- * (EB19), (EB20), (EB32). */
+/* Error bound of this pass over the difference of two: for the coarser one the difference plus the bound of the finer
+ * one (EB19), (EB20), (EB32). */
 static double of_two(const OtherPasses *o, int i)
 {
     const double second = i == OF_PEAK ? SECOND_PEAK : SECOND;
     return o->finer ? 1 + second : second;
 }
 
-/* What it may be off by at most, by all passes (EB19), (EB20), (EB27), (EB28); NAN: they cannot be compared. */
+/* Upper bound of the error by all passes (EB19), (EB20), (EB27), (EB28); NAN: they cannot be compared. */
 static double most_of(const OtherPasses *o, int i, double value)
 {
     const double difference = apart(o, i, value);
@@ -91,8 +92,8 @@ static double most_of(const OtherPasses *o, int i, double value)
     return isnan(before + difference) ? NAN : fmax(SECOND * difference, SECOND_LEAST * before);
 }
 
-/* Whether the figure is farther from that of the coarser pass than that one's bar: then such bars say too little here
- * (EB29). */
+/* Checks whether the figure differs from the coarser pass's by more than that one's bound: such bounds are then too
+ * narrow here (EB29). */
 static int is_refuted(const OtherPasses *o, int i, double value)
 {
     return !o->finer && apart(o, i, value) > o->other[0].bar[i];
@@ -103,8 +104,8 @@ static double least_of(const OtherPasses *o, int i, double value)
     return (o->finer ? FIRST : is_refuted(o, i, value) ? SECOND : SECOND_LEAST) * apart(o, i, value);
 }
 
-/* How many others make a bar narrower by agreeing: of a peak those before which its own bar was wider, the coarser pass
- * before the finer one. What does not fall is of something that no mesh has resolved yet (EB30). */
+/* Number of other passes that narrow a bound by agreeing: for a peak those whose own bound was wider, each coarser than
+ * the next. A difference that does not fall belongs to something that no mesh has resolved yet (EB30). */
 static int agree(const OtherPasses *o, int i)
 {
     int falls = 0;
@@ -113,7 +114,7 @@ static int agree(const OtherPasses *o, int i)
     return falls;
 }
 
-/* An error bar by what the pass shows itself and by what the others differ. */
+/* Error bound by the pass's own estimate and the difference of the passes. */
 static double seen(const OtherPasses *o, int i, double bar, double value)
 {
     const double most = most_of(o, i, value);
@@ -123,27 +124,29 @@ static double seen(const OtherPasses *o, int i, double bar, double value)
     return fmin(fmax(bar, least_of(o, i, value)), fmax(most, bar / pow(TOO_MUCH, agree(o, i))));
 }
 
-/* In its parts, each as much as it was of the whole; swings: what of it steps took of them, N, which falls slowly
- * (EB23). What friction at rest makes does not fall with v_s in any order, and stays. */
+/* Scales the parts of the bound in proportion; swings: the part of lost oscillations, N, which falls slowly (EB23). The
+ * part of friction at rest does not fall with v_s in any order and stays. */
 static void bar_seen(const OtherPasses *o, int i, hawser_error_bar *bar, double value, double swings)
 {
     const double known = bar->time + bar->mesh;
     if (!(known > 0)) return;
     const double slowly = (o->finer ? SWINGS_FIRST : SWINGS_SECOND) * apart(o, i, value);
-    const double swing = is_first_of_three(o) ? 0 : fmin(slowly, swings); /* the last one's bar has it */
+    const double swing = is_first_of_three(o) ? 0 : fmin(slowly, swings); /* included in the last pass's bound */
     const double by = fmax(seen(o, i, known, value), swing) / known;
     bar->time *= by;
     bar->mesh *= by;
     bar->total = bar->time + bar->mesh + bar->friction;
 }
 
-/* A jolt that grows as the mesh is refined may be the largest pull in the end, though it is not in this pass: what it
- * comes to by both is in the peak's bar (EB22). */
+/* A jolt that grows with the refinement of the mesh may become the largest pull although it is not in this pass: its
+ * extrapolation is included in the peak's bound (EB22). */
 static void jolt_seen(const OtherPasses *o, double jolt, hawser_summary *figures)
 {
     hawser_error_bar *const bar = &figures->pull_peak_error;
-    if (is_first_of_three(o)) return;                                                  /* the last one's bar has it */
-    const double grows = o->finer ? o->other[0].jolt - jolt : jolt - o->other[0].jolt; /* as the mesh is refined */
+    if (is_first_of_three(o))
+        return;                                                                        /* included in the last pass's
+                                                                                        * bound */
+    const double grows = o->finer ? o->other[0].jolt - jolt : jolt - o->other[0].jolt; /* per refinement of the mesh */
     const double above = jolt + (o->finer ? FIRST : SECOND) * grows - figures->pull_peak_N;
     if (!(grows > 0) || above <= bar->mesh) return;
     bar->mesh = above;
@@ -157,7 +160,7 @@ void other_passes_bars(const OtherPasses *o, const Stats *stats, double jolt, ha
     bar_seen(o, OF_MEAN, &figures->pull_mean_error, figures->pull_mean_N, 0);
     bar_seen(o, OF_PEAK, &figures->pull_peak_error, figures->pull_peak_N, stats->faded);
     jolt_seen(o, jolt, figures);
-    /* of the others the parts are not told apart */
+    /* the others' bounds are not divided into parts */
     if (figures->pull_peak_error.friction > 0) return;
     for (int k = 0; k < stats->n_stations; ++k) {
         hawser_station *const s = &stats->station_out[k];

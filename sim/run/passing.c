@@ -10,10 +10,11 @@
 #include "sim/equipment/winch.h"
 #include "sim/run/stats.h"
 
-enum { LOOKS = 16 };                 /* at the cable in a run, besides its start */
+enum { LOOKS = 16 };                 /* checks of the cable in a run, besides its start */
 static const double ALONG = 0.1;     /* sin^2 between line and axis: below it the line runs along the roller */
-static const double STRAY_ALONG = 1; /* m that a segment may be from its place on the way and still be in that duct */
-static const double SHARE = 0.5;     /* of a surface's weight (DU8): where it is more there than not */
+static const double STRAY_ALONG = 1; /* m, largest distance of a segment from its place along the route for it still to
+                                      * be in that duct */
+static const double SHARE = 0.5;     /* of a surface's weight (DU8): above it the segment counts as at the surface */
 
 void passing_free(Passing *p)
 {
@@ -25,8 +26,8 @@ void passing_free(Passing *p)
 
 /* ------------------------------------------------------------------------------------------------- rollers */
 
-/* The segment whose centre is nearest to a place. Centres are not farther apart than segments are long, so that what
- * cannot be nearer is passed over. */
+/* Segment whose centre is nearest to a place. Neighbouring centres are no farther apart than a segment's length, so
+ * that segments that cannot be nearer are skipped. */
 static int nearest_segment(const Chain *chain, const Kinematics *kin, double longest, Vec3 place)
 {
     int nearest = 0;
@@ -43,15 +44,15 @@ static int nearest_segment(const Chain *chain, const Kinematics *kin, double lon
     return nearest;
 }
 
-/* Where a segment passes a roller's axis: how far from it, on which side, seen from the tail. */
+/* Place where a segment passes a roller's axis: its distance, and the side, seen from the tail. */
 typedef struct Crossing {
-    double away;   /* m; INFINITY: it does not */
+    double away;   /* m; INFINITY: no crossing */
     double across; /* m from the roller's middle, along its axis */
     int side;
 } Crossing;
 
-/* Of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's middle.
- */
+/* Crossing of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's
+ * middle. */
 static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller, double reach)
 {
     const Crossing none = {INFINITY, 0, 0};
@@ -67,7 +68,7 @@ static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller,
     return (Crossing){v3_norm(at), across, v3_dot(at, v3_cross(roller->axis, run)) < 0 ? -1 : 1};
 }
 
-/* The nearest of the crossings of the segment that is nearest and of its neighbours. */
+/* Nearest of the crossings of the nearest segment and its neighbours. */
 static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller,
                                double reach)
 {
@@ -80,10 +81,10 @@ static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double
     return best;
 }
 
-/* How far from its axis the line still belongs to a roller, m. */
+/* Distance from its axis within which the line belongs to a roller, m. */
 static double near_of(const Shape *roller, double cable) { return 2 * (roller->radius + cable); }
 
-/* The nearest crossing of the route, in short pieces; what is far is passed over. */
+/* Nearest crossing of the route, in short pieces; distant ones are skipped. */
 static Crossing route_crossing(const Route *route, const Shape *roller, double cable)
 {
     const double near = near_of(roller, cable) + roller->half_width, piece = (roller->radius + cable) / 4;
@@ -121,7 +122,7 @@ hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
     p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
     p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
     if (!p->side || !p->gone || !p->seen) return error_memory(err);
-    snprintf(p->says, sizeof p->says, "the cable has got through something");
+    snprintf(p->says, sizeof p->says, "the cable has passed through a support");
     snprintf(p->overlap.says, sizeof p->overlap.says, "cables lie inside each other");
     const double cable = thickest(&scene->chain);
     for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
@@ -138,11 +139,12 @@ static int note(Passing *p, int body, const char *what, const char *name, double
     if (p->gone[body]) return 0;
     p->gone[body] = 1;
     if (++p->through > 1) return 0;
-    snprintf(p->says, sizeof p->says, "the cable has got through %s '%s'%s", what, name, t > 0 ? "" : " before t = 0");
+    snprintf(p->says, sizeof p->says, "the cable has passed through %s '%s'%s", what, name,
+             t > 0 ? "" : " before t = 0");
     return 1;
 }
 
-/* A roller has the side on which the route passes it, or on which the cable was when it first came near. */
+/* The side of a roller is the one on which the route passes it, or on which the cable was when it first came near. */
 static int rollers_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
 {
     const Chain *const chain = &scene->chain;
@@ -165,8 +167,8 @@ static int rollers_look(Passing *p, const Scene *scene, const Workspace *ws, dou
 
 /* ------------------------------------------------------------------------------------------------- surfaces */
 
-/* Whether segment i has its place, by its way along the route, where the patch lies: another part of the way may pass
- * beside it. Planes lie anywhere. */
+/* Checks whether segment i, by its place along the route, is where the patch is: another part of the route may pass
+ * beside it. Planes are everywhere. */
 static int patch_is_its(const Scene *scene, const Kinematics *kin, double travel, const SurfacePatch *patch, int i)
 {
     if (isnan(patch->s0) || scene->rod->present) return 1;
@@ -174,7 +176,8 @@ static int patch_is_its(const Scene *scene, const Kinematics *kin, double travel
     return s > patch->s0 - STRAY_ALONG && s < patch->s0 + patch->length + STRAY_ALONG;
 }
 
-/* One segment's centre against one patch: behind its face by more than the cable's radius, where it was before it. */
+/* Checks one segment's centre against one patch: behind its face by more than the cable's radius, after it was before
+ * the face. */
 static int patch_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, const SurfacePatch *patch,
                       int i, double t)
 {
@@ -188,9 +191,9 @@ static int patch_look(Passing *p, const Scene *scene, const Workspace *ws, doubl
     return note(p, scene->contact.n_rollers + patch->surface, "surface", scene->def.surfaces[patch->surface].name, t);
 }
 
-/* What a rod keeps of a plane, however far off: which segments have been before it. 1 if the rod runs through it: of
- * two neighbours that were before it one is behind by more than the cable's radius, and the line between them meets it.
- */
+/* Updates, for a rod and a plane at any distance, which segments have been before the plane. Returns 1 if the rod runs
+ * through it: of two neighbours that were before it one is behind by more than the cable's radius, and the line between
+ * them meets it. */
 static int plane_pierced(Passing *p, const Scene *scene, const Kinematics *kin, const SurfacePatch *patch)
 {
     const int face = SURFACE_FACES_MAX * patch->surface + patch->face;
@@ -212,7 +215,7 @@ static int plane_pierced(Passing *p, const Scene *scene, const Kinematics *kin, 
     return pierced;
 }
 
-/* Candidates tell nothing of what has gone past in a single step of statics: a rod is held against every plane. */
+/* Candidates do not show what was passed in a single step of statics: a rod is checked against every plane. */
 static int planes_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
 {
     int new = 0;
@@ -288,7 +291,7 @@ void overlap_record(Overlap *o, const SelfLines *lines, const Scene *const scene
 
 /* ------------------------------------------------------------------------------------------------- the start */
 
-/* What equilibrium could ask of contacts at most, N: every weight and pull there is at the start. */
+/* Largest contact force that equilibrium can require, N: the sum of all weights and pulls at the start. */
 static double all_loads(const Scene *scene)
 {
     const Chain *const chain = &scene->chain;
@@ -304,14 +307,14 @@ static void start_worst(Misfit *start, double force, double exponent, const char
     *start = (Misfit){.force = force, .allowed = start->allowed, .exponent = exponent, .name = name};
 }
 
-/* Whether a roller carries the cable without holding it sideways: flat, and level. */
+/* Checks whether a roller bears the cable without holding it sideways: flat, and level. */
 static int is_open(const Shape *roller, Vec3 gravity)
 {
     const double level = 0.5; /* cosine between axis and plumb line */
     return roller->kind == SHAPE_CYLINDER && fabs(v3_dot(roller->axis, gravity)) < level * v3_norm(gravity);
 }
 
-/* How far out on flat rollers the chain lies: the worst of them, ones that it lies beside included. */
+/* Finds the flat roller on which the chain is nearest to the edge, including rollers that it is beside. */
 static Edge edge_look(const Scene *scene, const Kinematics *kin)
 {
     const Chain *const chain = &scene->chain;

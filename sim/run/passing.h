@@ -1,4 +1,4 @@
-/* Whether the cable has got through something: on which side of each roller it was, and that it is on the free side of
+/* Checks whether the cable has passed through something: the side on which it was of each roller, and the free side of
  * each surface. docs/reference/limits.md, "Trust". */
 #ifndef HAWSER_SIM_RUN_PASSING_H
 #define HAWSER_SIM_RUN_PASSING_H
@@ -8,16 +8,17 @@
 
 enum { PASSING_SAYS_MAX = 160, OVERLAP_SAYS_MAX = 160 };
 
-/* How far cables have been inside each other, or one inside itself: the worst of all looks. */
+/* Largest overlap of cables, or of one with itself, in all checks. */
 typedef struct Overlap {
     double share; /* (CC29): 1 where centre lines cross */
-    double due;   /* s, when to look next */
-    int looks;    /* 0: it is not known */
+    double due;   /* s, time of the next check */
+    int looks;    /* 0: not known */
     char says[OVERLAP_SAYS_MAX];
 } Overlap;
 
-/* How hard the chain is pressed into something at t = 0. A segment's arc is as high as the square of its length, so
- * that a chain of chords begins inside what the line would only touch; what is in equilibrium is not. */
+/* Force by which the chain is pressed into something at t = 0. The height of a segment's arc is proportional to the
+ * square of its length, so that a chain of chords begins inside what the line would only touch; a chain in equilibrium
+ * does not. */
 typedef struct Misfit {
     double force, allowed; /* N: the largest on a roller or surface; the sum of all loads */
     double exponent;       /* of its law (C12) */
@@ -25,44 +26,44 @@ typedef struct Misfit {
     const char *name;      /* of the roller or surface */
 } Misfit;
 
-/* A flat roller near whose edge the chain lies at t = 0. */
+/* A flat roller with the chain near its edge at t = 0. */
 typedef struct Edge {
-    double share;  /* of the half of its width; 0: there is none */
+    double share;  /* of half its width; 0: there is none */
     double across; /* m from its middle */
-    double half;   /* m, of its width */
-    double at;     /* m along the route; NAN: it was placed otherwise */
+    double half;   /* m, half its width */
+    double at;     /* m along the route; NAN: not placed by chainage */
     const char *name;
 } Edge;
 
 typedef struct Passing {
-    signed char
-        *side;   /* [rollers] of the line, seen along it: the route's, or the cable's when it came near; 0: neither */
-    char *gone;  /* [rollers + surfaces] has been passed, and was said */
-    char *seen;  /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] was on the face's free side */
-    int through; /* rollers and surfaces that have been passed */
-    double due;  /* s, when to look next */
-    char says[PASSING_SAYS_MAX]; /* of the first of them */
+    signed char *side; /* [rollers] side of the line, seen along it: the route's, or the cable's when it came near; 0:
+                        * unknown */
+    char *gone;        /* [rollers + surfaces] 1: passed, and reported */
+    char *seen;        /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] 1: was on the face's free side */
+    int through;       /* number of rollers and surfaces that have been passed */
+    double due;        /* s, time of the next check */
+    char says[PASSING_SAYS_MAX]; /* text on the first of them */
     Misfit start;
     Edge edge;
-    Overlap overlap; /* of several chains the first has that of all */
+    Overlap overlap; /* in the first of several chains: that of all */
 } Passing;
 
 /* Errors: MEMORY. passing_free may follow either way. */
 hawser_status passing_new(Passing *passing, const Scene *scene, hawser_error *err);
 void passing_free(Passing *passing);
 
-/* Looks at the kinematics and the candidates in the workspace, which are of the state at t (s); travel: of the head, m.
- * 1 if something has been passed for the first time, which `says` tells then. */
+/* Checks the kinematics and the candidates in the workspace, which belong to the state at t (s); travel: of the head,
+ * m. Returns 1 if something has been passed for the first time; `says` has the text then. */
 int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
-/* The same if it is time: a few times a run and at its end. */
+/* The same when it is due: a few times a run and at its end. */
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
-/* Looks at how far lines lie inside each other, `lines` those of scene[lines->n] at t (s): at every row where there is
- * cable on cable, else a few times a run, and at its end. */
+/* Finds the overlap of lines, `lines` those of scene[lines->n] at t (s): at every row if there is contact of cable on
+ * cable, else a few times a run, and at its end. */
 void overlap_record(Overlap *overlap, const SelfLines *lines, const Scene *const scene[], double t);
-/* Keeps the sample of t = 0, and where on its rollers the chain lies then. */
+/* Keeps the sample of t = 0, and the chain's place on its rollers. */
 void passing_start(Passing *passing, const Scene *scene, const Kinematics *kin, const hawser_sample *look);
-/* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8): theirs, or less.
- */
+/* Length of segments, m, with which the contact forces of the chain would not exceed the allowed one (E8): theirs, or
+ * less. */
 double misfit_segment(const Misfit *start);
 
 #endif

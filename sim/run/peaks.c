@@ -11,7 +11,7 @@
 #include "sim/run/sample.h"
 #include "theory/findings.h"
 
-static const double NEW = 1e-2; /* share of the largest load so far, above which another look is worth it */
+static const double NEW = 1e-2; /* share of the largest load so far above which another look is made */
 
 hawser_status borne_new(Borne *borne, int rollers, hawser_error *err)
 {
@@ -85,16 +85,16 @@ void borne_checkpoint(Checkpoint *c, Borne *borne)
     checkpoint_put(c, "borne->now", borne->now, n * sizeof *borne->now);
 }
 
-enum { BLOCK_LEAST = 4 }; /* samples, for a mean to be one */
+enum { BLOCK_LEAST = 4 }; /* least number of samples for a mean */
 
-static const double PART = 0.25; /* of a segment, that passes while it is pushed, */
+static const double PART = 0.25; /* share of a segment that must pass during the push */
 
-static const double LASTS = 1; /* s, and for how long: what is shorter is a stop's or a jolt's; */
+static const double LASTS = 1; /* s, and the least duration: shorter pushes come from a stop or a jolt */
 
-static const double LONG = 2; /* s: however little passes */
+static const double LONG = 2; /* s, sufficient duration at any speed */
 
 static const double MOVES =
-    0.1; /* of the pull's speed, or all of it that friction needs: below that the winch stands */
+    0.1; /* of the pull's speed, or the full speed of friction if that is less: below it the winch counts as standing */
 
 hawser_status compression_new(Compression *c, const Scene *scene, hawser_error *err)
 {
@@ -114,7 +114,7 @@ void compression_free(Compression *c)
     *c = (Compression){0};
 }
 
-/* The machine of a pusher; NULL: it has none. */
+/* The machine of a pusher; NULL: none. */
 static const hawser_machine *machine_of(const Pusher *by, const hawser_sample *sample)
 {
     const char *const kind = by->kind == PUSH_BELT ? "conveyors" : "motors";
@@ -134,8 +134,7 @@ static void pushes_take(Compression *c, const Scene *scene, const hawser_sample 
     }
 }
 
-/* N, with which a pusher has pushed in the block; of one that has a torque only, what is reckoned with the tension that
- * arrives there. */
+/* N, push of a pusher in the block; for one with a torque only, computed with the tension that arrives there. */
 static double pushed_with(const Compression *c, const Scene *scene, int k, double middle, double whole)
 {
     const Setup setup = scene_setup(scene);
@@ -150,7 +149,7 @@ static double pushed_with(const Compression *c, const Scene *scene, int k, doubl
     return fmax(0, setup_push(&setup, k, arriving, front));
 }
 
-/* The joints that were there all through the block. P: of the strongest machine behind a joint. */
+/* Evaluates the joints that were present during the whole block. P: push of the strongest machine behind a joint. */
 static void block_end(Compression *c, const Scene *scene, const hawser_sample *sample)
 {
     const double whole = c->drawn, middle = (c->travel + sample->winch_travel) / 2;
@@ -233,15 +232,15 @@ static Vec3 axis_of(const Kinematics *kin, int i)
     return quat_rotate(q, v3(1, 0, 0));
 }
 
-/* The last joint of what is cable, counted from the first simulated one; of a rope that draws others the first before
- * which there is nothing but their heads. */
+/* The last joint of the cable, counted from the first simulated one; for a rope that pulls other chains, its first
+ * joint ahead of their heads. */
 static int cable_end(const Scene *scene)
 {
     const int eye = strand_is_rope(&scene->def.strand) ? 1 : scene->eye - scene->first;
     return eye < scene->chain.n ? eye : scene->chain.n; /* it has passed the winch */
 }
 
-/* Tension and the pressure that it brings in a bend of the route, on the worst loaded of several cables. */
+/* Tension, and the sidewall pressure that it causes in a bend of the route, for the most loaded of several cables. */
 static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
 {
     const double *const tension = sample->tension + scene->first;
@@ -272,7 +271,7 @@ static double tension_between(const Scene *scene, const hawser_sample *sample, i
     return b > a ? tension[low] + (tension[high] - tension[low]) * (s - a) / (b - a) : tension[low];
 }
 
-/* A bend that lies between two joints presses, too: where they stand at the same places all along, it always does. */
+/* Also covers a bend between two joints: a chain that stays at the same places always has such bends. */
 static void bends_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
 {
     const Route *const route = &scene->route;
@@ -286,12 +285,12 @@ static void bends_record(Peaks *peaks, const Scene *scene, const hawser_sample *
     }
 }
 
-/* The cable's own, before the eye. */
+/* Curvature of the cable, without the part ahead of the eye. */
 static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
                              int eye)
 {
     Vec3 before = axis_of(kin, 0);
-    double last[2] = {0, 0}; /* of the two joints before */
+    double last[2] = {0, 0}; /* at the two joints before */
     for (int i = 1; i <= eye; ++i) {
         const Vec3 axis = i < eye ? axis_of(kin, i) : before;
         const double next =
@@ -311,7 +310,7 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     const double front = sample_joint_place(scene, sample, scene->eye - scene->first);
     for (int r = 0; r < peaks->n_rollers; ++r) {
         const double s = scene->def.rollers[r].s;
-        if (isnan(s) || s > front) continue; /* there is rope */
+        if (isnan(s) || s > front) continue; /* this is rope */
         const double tension = stats_tension_at(scene, kin, sample, s);
         if (isnan(tension) || tension <= peaks->roller[r]) continue;
         peaks->roller[r] = tension;
@@ -319,7 +318,7 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     }
 }
 
-/* Either way: a slow belt holds the cable back. Machines that push by other than a force have none. */
+/* Records either sign: a slow belt holds the cable back. Machines that do not push by a force have no value. */
 static void pushes_record(Peaks *peaks, const hawser_sample *sample)
 {
     for (int i = 0; i < sample->machines; ++i) {
@@ -330,7 +329,7 @@ static void pushes_record(Peaks *peaks, const hawser_sample *sample)
     }
 }
 
-/* m/s: the winch's, or without one the cable's own. */
+/* m/s: speed of the winch, or of the cable if there is none. */
 static double drawn_with(const Scene *scene, const hawser_sample *sample)
 {
     return scene->winch->present ? sample->winch_speed : sample->axial_speed[sample->first];
@@ -350,13 +349,13 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     compression_record(&peaks->pushed, scene, sample);
 }
 
-/* What theory says of the whole way of a run, for what is judged. */
+/* Theory over the whole travel of a run, for the limits. */
 
-/* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
+/* Overload factors are computed where theory has at least this share of its largest tension: near a slack tail a few
  * newtons would make any ratio. */
 static const double MEASURE = 0.1;
 
-/* With the front where it has come to; a route on which theory has no answer there stays with `of`. */
+/* Theory with the front at the place that it has reached; if theory has no solution there, `of` is kept. */
 static hawser_status reached_find(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
                                   PeaksTheory *out, hawser_error *err)
 {
@@ -391,10 +390,11 @@ void peaks_theory_free(PeaksTheory *theory) { expected_free(&theory->own); }
 
 /* ------------------------------------------------------------------------------------------------- overload */
 
-/* Theory with the front where it was at a moment. The last one is kept: neighbours have their peaks together. */
+/* Theory with the front at its place at a moment. The last result is kept: neighbours have their peaks at the same
+ * time. */
 typedef struct Moments {
     Setup setup;
-    PeakMoment at; /* of what follows; t is NAN: of none yet */
+    PeakMoment at; /* of the data below; t is NAN: none yet */
     Expected expected;
     Pull pull;
     hawser_status status;
@@ -409,8 +409,8 @@ static void moment_clear(Moments *m)
 
 static int same_moment(PeakMoment a, PeakMoment b) { return a.front == b.front && a.t == b.t; }
 
-/* The tension of the reference theory at s at that moment, N; NAN off the cable that theory counts, and where it has
- * too little of it. */
+/* Tension of the reference theory at s at that moment, N; NAN off the cable that theory covers, and where the tension
+ * is too small. */
 static double moment_tension(Moments *m, PeakMoment at, double s)
 {
     const Setup *const setup = &m->setup;
@@ -426,13 +426,13 @@ static double moment_tension(Moments *m, PeakMoment at, double s)
     return tension >= MEASURE * m->pull.max_tension ? tension : NAN;
 }
 
-/* The least and the largest tension at the start while rollers had their peaks, N, and the pulls with them up to where
- * the front came to: of a cable whose tail has not come in, between those two the tension anywhere goes with that at
- * the start, but for the part of bends in which weight counts. */
+/* Least and largest tension at the start of the route at the times of the rollers' peaks, N, and the pulls for both
+ * with the front where it has come to. While the tail is behind the start, the tension anywhere is interpolated between
+ * them, which neglects the weight in bends. */
 typedef struct Range {
     double start[2];
     Pull pull[2];
-    double *of; /* [rollers] N, the start's */
+    double *of; /* [rollers] N, at the start */
 } Range;
 
 static hawser_status range_solve(const Peaks *peaks, const Scene *scene, const Expected *e, Range *out)
@@ -469,7 +469,7 @@ static double range_tension(const Expected *e, const Range *range, int r, double
     return tension >= MEASURE * range->pull[1].max_tension ? tension : NAN;
 }
 
-/* Whether the pull begins at one place for as long as there is one: the cable's tail stays behind it. */
+/* Checks whether the pull begins at one place all the time: the cable's tail stays behind it. */
 static int begins_at_once(const Scene *scene, const Peaks *peaks)
 {
     const double length = scene->joint_s[scene->eye] - scene->joint_s[0];
@@ -482,7 +482,7 @@ int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *th
     Moments moments = {.setup = scene_setup(scene), .at = {.t = NAN}};
     int n = 0;
     *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
-    /* a rod has no theory to ask, that of a rope goes without what it draws */
+    /* a rod has no theory; that of a rope leaves out the chains that it pulls */
     if (*out && (!peaks->present || scene->def.strand.rope)) return 0;
     const int at_once = begins_at_once(scene, peaks);
     hawser_status status = *out ? HAWSER_OK : HAWSER_ERR_MEMORY;
@@ -501,13 +501,13 @@ int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *th
     return status ? -1 : n;
 }
 
-/* What a run found, put before the limits. */
+/* Results of a run, prepared for the limits. */
 
 static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};
 
-static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
+static const double WAVERS = 0.02; /* share by which a cable's speed may exceed that of the belts that pull it */
 
-/* The route's bends by T/R, which is what codes mean; a route that is straight presses nowhere. */
+/* The route's bends by T/R, the codes' quantity; a straight route has no sidewall pressure. */
 static Finding sidewall_finding(const Peaks *peaks, const Scene *scene)
 {
     Finding f = finding_at(&scene->route, peaks->sidewall.value, peaks->sidewall.at);
@@ -515,7 +515,7 @@ static Finding sidewall_finding(const Peaks *peaks, const Scene *scene)
     return f;
 }
 
-/* The force per length that was found on surfaces, with its own error bar; absent where there are none. */
+/* Force per length on surfaces, with its own error bound; absent if there are no surfaces. */
 static Finding contact_finding(const Stats *stats, const Scene *scene)
 {
     Finding f = {.absent = stats->n_surfaces == 0};
@@ -535,14 +535,14 @@ static Finding bend_finding(const Peaks *peaks, const Scene *scene)
     Finding f = finding_at(&scene->route, peaks->curvature.value, peaks->curvature.at);
     f.error = 1 / peaks->curvature.value - 1 / (peaks->curvature.value + peaks->stands_out);
     if (!isfinite(f.error)) f.error = 0;
-    f.value = 1 / peaks->curvature.value; /* a cable that is straight has no radius that could be too small */
+    f.value = 1 / peaks->curvature.value; /* a straight cable has no radius that could be too small */
     if (!isfinite(f.value)) *f.where = 0;
     return f;
 }
 
-/* What a roller bears, N: steady or at most, and that one's error bar; of the first of several chains what all do. A
- * load that comes within the steady window is steady once it is there: what lasts is asked for, not the window's mean.
- */
+/* Load of a roller, N: steady or largest, with the error bound of the latter; in the first of several chains the load
+ * of all. A load that arrives within the steady window counts as steady once it is there: the lasting mean is used, not
+ * the mean of the window. */
 static double roller_load(const Peaks *peaks, const Stats *stats, int r, int steady, double *error)
 {
     const Borne *const all = peaks->borne;
@@ -555,7 +555,7 @@ static double roller_load(const Peaks *peaks, const Stats *stats, int r, int ste
     return all ? all->load[r].peak : own->peak_N;
 }
 
-/* The rated roller with the largest load for its rating; steady or peak. */
+/* Rated roller with the largest ratio of load to rating; steady or peak. */
 static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady)
 {
     Finding worst = {.value = NAN};
@@ -564,21 +564,21 @@ static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady
         const hawser_roller *const roller = &stats->roller_out[r];
         finding_load(&worst, roller->name, roller_load(peaks, stats, r, steady, &error), roller->rating_N);
     }
-    for (int r = 0; r < stats->n_rollers; ++r) { /* whose bar reaches farthest, as a load on the worst */
+    for (int r = 0; r < stats->n_rollers; ++r) { /* the one whose bound reaches farthest, as for a load on the worst */
         const double rating = stats->roller_out[r].rating_N, load = roller_load(peaks, stats, r, steady, &error);
         if (rating > 0) worst.error = fmax(worst.error, (load + error) / rating * worst.rating - worst.value);
     }
     return worst;
 }
 
-/* What is a tension, or one over something exact, is as uncertain as the largest pull. */
+/* A tension, or a tension over an exact quantity, has the relative error of the largest pull. */
 static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
 {
     for (int k = 0; k < LIMIT_KINDS; ++k)
         if (limits_is((hawser_limit_kind)k, LIMIT_TENSION) && f[k].value > 0) f[k].error = share * f[k].value;
 }
 
-/* The largest acceleration of the winch by its profile, m/s2; INFINITY: it jumps, or a table may. */
+/* Largest acceleration of the winch by its profile, m/s2; INFINITY: for a jump, or a table, which may have one. */
 static double largest_rate(const Profile *speed)
 {
     enum { LOOKS = 200 };
@@ -589,8 +589,7 @@ static double largest_rate(const Profile *speed)
     return most;
 }
 
-/* What a start from rest adds to the pull at most, N: of a chain that is drawn along, as waves that run through it do
- * (LI16). */
+/* Largest pull that a start from rest adds, N: waves in a chain that is pulled (LI16). */
 static double start_adds(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
@@ -605,8 +604,8 @@ static double start_adds(const Scene *scene)
     return fmin(jump, 2 * mass * largest_rate(&def->winch.speed));
 }
 
-/* To how many times a pull of so many newtons at speed a start from rest may bring it: friction at rest, the chain's
- * inertia, and what bends make of that (LI16). */
+/* Factor on a given pull (N) at speed by a start from rest: friction at rest, inertia of the chain, and their growth in
+ * bends (LI16). */
 static double start_share(const Scene *scene, double pull)
 {
     const SceneDef *const def = &scene->def;
@@ -625,7 +624,7 @@ static double start_share(const Scene *scene, double pull)
     return rest * exp((rest - 1) * mu * turned) + start_adds(scene) * exp(mu * turned) / pull;
 }
 
-/* Positions are at speed: what else a start makes of tensions and of loads. */
+/* Positions are computed at speed: the start adds to tensions and loads. */
 static void starts_of_tension(const Scene *scene, double pull, Finding f[LIMIT_KINDS])
 {
     const double share = start_share(scene, pull);
@@ -647,7 +646,7 @@ static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Peaks
     return worst;
 }
 
-/* How the cables lie in the ducts; one in which they do not fit says nothing of itself. (LI8) */
+/* Layout of the cables in the ducts; a cable that does not fit has no further finding. (LI8) */
 static void duct_findings(const SceneDef *def, Finding f[LIMIT_KINDS])
 {
     const int cables = def->bundle.shape.cables;
@@ -667,7 +666,7 @@ static Finding push_finding(const Peaks *peaks)
     return f;
 }
 
-/* Where theory has the cable taut, and the run pushed it all the same (LI12a). */
+/* Places where the cable is taut by theory, but was in compression in the run (LI12a). */
 static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 {
     const Compression *const c = &peaks->pushed;
@@ -677,11 +676,12 @@ static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
     f->absent = absent;
     f->rating = c->pulled;
     snprintf(f->why, sizeof f->why,
-             "it was pushed with %.4g kN at %.4g s: a brake of about as much more is needed where the pull begins",
+             "it was in compression, %.4g kN at %.4g s: increase the back tension by about as much",
              c->most.value / 1e3, c->when);
 }
 
-/* What the winch needs by itself: theory's pull, where the front began or came to, or the mean, whichever is more. */
+/* Pull that the winch needs by itself: by theory, at the front's first or last place, or the mean, whichever is
+ * most. */
 static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, const PeaksTheory *theory,
                          Finding *out)
 {
@@ -689,15 +689,15 @@ static void trip_finding(const Stats *stats, const Scene *scene, const Expected 
                   out);
 }
 
-/* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that
- * belts alone draw wavers about their speed. */
+/* Speed that a script or a set tension has given the winch, if it exceeds the case's. The speed of a cable that belts
+ * alone pull varies about theirs. */
 static void speed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 {
     const double same = scene->def.winch.present ? 1e-6 : WAVERS;
     if (peaks->recorded > 0 && !(peaks->speed <= f->value * (1 + same))) f->value = peaks->speed;
 }
 
-/* What needs theory to be told. */
+/* Findings that need theory. */
 static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
                       Finding f[LIMIT_KINDS])
 {
@@ -717,7 +717,7 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
     f[HAWSER_LIMIT_ALPHA].absent |= scene->def.strand.rope > 0;
     trip_finding(stats, scene, expected, &theory, &f[HAWSER_LIMIT_TRIP]);
     if (scene->def.strand.rope)
-        f[HAWSER_LIMIT_RUN_AWAY] = (Finding){0}; /* theory of it alone knows nothing of what it draws */
+        f[HAWSER_LIMIT_RUN_AWAY] = (Finding){0}; /* theory of the rope alone leaves out the chains that it pulls */
     if (f[HAWSER_LIMIT_RUN_AWAY].value > 0) f[HAWSER_LIMIT_TRIP].steady = NAN;
     pushed_finding(peaks, scene, &f[HAWSER_LIMIT_RUN_AWAY]);
     peaks_theory_free(&theory);

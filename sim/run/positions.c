@@ -15,11 +15,11 @@
 #include "sim/solve/relax.h"
 #include "theory/expected.h"
 
-/* m beyond the way that the front has come: so far from it the chain goes on lying as it did there, segment by segment,
- * and over so much more less and less (PS10). */
+/* m behind the front's way: up to the first distance the chain keeps its last position's shape segment by segment, over
+ * the second this fades out (PS10) */
 static const double WHOLLY = 1, PARTLY = 4;
 
-/* m along the route, where the centre of segment i would be laid when the winch has hauled in `travel`. */
+/* m along the route, place of the centre of segment i when the winch has hauled in `travel`. */
 static double lie_centre(const Scene *scene, int i, double travel)
 {
     const double *const s = scene->joint_s + scene->first + i;
@@ -30,7 +30,7 @@ static double lie_centre(const Scene *scene, int i, double travel)
 
 static size_t numbers_of(const Lie *lie) { return 12 * (size_t)lie->n + (size_t)lie->faces + (size_t)lie->patches; }
 
-/* n, faces and patches say where everything is. */
+/* n, faces and patches determine the layout. */
 static void memory_share(Lie *lie, double *memory)
 {
     const size_t n = (size_t)lie->n;
@@ -42,7 +42,7 @@ static void memory_share(Lie *lie, double *memory)
     lie->pressed = (Pressed){memory + 12 * n, memory + 12 * n + lie->faces};
 }
 
-/* Room for n segments; what was known is lost. */
+/* Makes room for n segments; the contents are lost. */
 static int lie_room(Lie *lie, const Scene *scene, int n)
 {
     lie->n = n;
@@ -63,7 +63,7 @@ static void lie_free(Lie *lie)
     *lie = (Lie){0};
 }
 
-/* A copy of its own, in place of nothing; lie_free follows either way. Errors: MEMORY. */
+/* Makes a copy with its own memory, overwriting out; lie_free follows either way. Errors: MEMORY. */
 static hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err)
 {
     double *const memory = malloc((numbers_of(lie) + 1) * sizeof *memory);
@@ -92,7 +92,7 @@ void lie_checkpoint(Checkpoint *c, Lie *lie, const Scene *scene)
 
 /* ------------------------------------------------------------------------------------------------------------ keep */
 
-/* m, by which the joint before segment j is open along the chain. */
+/* m, opening of the joint before segment j along the chain. */
 static double gap_before(const Chain *chain, const double *y, int j)
 {
     const int n = chain->n;
@@ -103,7 +103,7 @@ static double gap_before(const Chain *chain, const double *y, int j)
     return v3_dot(gap, v3_unit(v3_add(a, b)));
 }
 
-/* Takes the stage's state for the chain of `travel`, m. Errors: MEMORY; lie_free may follow either way. */
+/* Stores the stage's state for the chain of `travel`, m. Errors: MEMORY; lie_free may follow either way. */
 static hawser_status lie_keep(Lie *lie, Stage *st, double travel, hawser_error *err)
 {
     const Scene *const scene = &st->scene;
@@ -137,7 +137,7 @@ static hawser_status lie_keep(Lie *lie, Stage *st, double travel, hawser_error *
 
 /* ----------------------------------------------------------------------------------------------------------- apply */
 
-/* The slope of x over s at segment k, from its neighbours. */
+/* Slope of x over s at segment k, from its neighbours. */
 static Vec3 slope_at(const Lie *lie, const Vec3 *x, int k)
 {
     const int a = k > 0 ? k - 1 : k, b = k + 1 < lie->n ? k + 1 : k;
@@ -147,7 +147,7 @@ static Vec3 slope_at(const Lie *lie, const Vec3 *x, int k)
                    v3_sub(x[b], x[k]));
 }
 
-/* x at the share u of the way from segment k to the next, a cubic between their slopes (PS8). */
+/* x at the share u of the distance from segment k to the next, a cubic between their slopes (PS8). */
 static Vec3 between(const Lie *lie, const Vec3 *x, int k, double u)
 {
     const double way = lie->s[k + 1] - lie->s[k], v = 1 - u;
@@ -156,7 +156,7 @@ static Vec3 between(const Lie *lie, const Vec3 *x, int k, double u)
     return v3_axpy(out, -way * u * u * v, slope_at(lie, x, k + 1));
 }
 
-/* How much segment i, at s, goes on as it lay itself (PS10). */
+/* Share by which segment i, at s, keeps its own shape (PS10). */
 static double own_share(const Lie *lie, const Scene *scene, double s, double travel)
 {
     const int eye = scene->eye - scene->first;
@@ -165,8 +165,8 @@ static double own_share(const Lie *lie, const Scene *scene, double s, double tra
     return fmin(1, fmax(0, 1 - (away - WHOLLY) / PARTLY));
 }
 
-/* From the head back the segments are moved along themselves, until each joint is open by as much as the tension that
- * was there asks for (PS14): stiff cables would be off by many times that. */
+/* Moves the segments along themselves, from the head back, until the opening of each joint corresponds to the tension
+ * that was there (PS14): for stiff cables the error would be many times that tension. */
 static void tension_restore(const Lie *lie, const Scene *scene, double travel, double *y)
 {
     const Chain *const chain = &scene->chain;
@@ -183,8 +183,8 @@ static void tension_restore(const Lie *lie, const Scene *scene, double travel, d
     }
 }
 
-/* Moves the chain that has been laid in the stage's state for `travel` to where the last position's lay: place by
- * place, and near the front segment by segment. */
+/* Moves the chain, placed in the stage's state for `travel`, to the shape of the last position: place by place, and
+ * near the front segment by segment. */
 static void lie_apply(const Lie *lie, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
@@ -198,7 +198,7 @@ static void lie_apply(const Lie *lie, Stage *st, double travel)
         const int own = i + scene->first - lie->first;
         const double share = own >= 0 && own < lie->n ? own_share(lie, scene, s, travel) : 0;
         Vec3 shift = between(lie, lie->shift, k, u), turn = between(lie, lie->turn, k, u);
-        if (share > 0) { /* the route may bend meanwhile */
+        if (share > 0) { /* the route may bend in between */
             const Quat by = quat_mul(laid, quat_conj(lie->frame[own]));
             shift = v3_axpy(v3_scale(1 - share, shift), share, quat_rotate(by, lie->shift[own]));
             turn = v3_axpy(v3_scale(1 - share, turn), share, quat_rotate(by, lie->turn[own]));
@@ -211,26 +211,27 @@ static void lie_apply(const Lie *lie, Stage *st, double travel)
     if (lie->n > 1) tension_restore(lie, scene, travel, y);
 }
 
-enum { POSITIONS_MOST = 200 }; /* where the case does not say how far apart */
+enum { POSITIONS_MOST = 200 }; /* if the case gives no distance */
 
-static const double AT_SPEED = 1e-6; /* share of the speed by which it may change within a second */
+static const double AT_SPEED = 1e-6; /* share of the speed by which it may vary within a second */
 
-static const double BEHIND = 0.5; /* share of half a segment by which the tail may lie behind its place at the drum */
+static const double BEHIND = 0.5; /* share of half a segment by which the tail may be behind its place at the drum */
 
 enum {
     SOFTLY = 16,
     AGAIN = 6
-}; /* iterations that say soft contacts were needed; positions that begin with them then */
+}; /* number of iterations from which soft contacts count as needed; number of following positions that start with
+    * them */
 
-/* ------------------------------------------------------------------------------------------- where and when */
+/* --------------------------------------------------------------------------------------- places and times */
 
-/* The front's place at time t. */
+/* Place of the front at time t. */
 static double head_at(const Scene *scene, double t)
 {
     return scene->joint_s[scene->eye] + winch_travel(scene->winch, t);
 }
 
-/* Whether the winch runs at a constant speed from t on. */
+/* Checks whether the winch runs at a constant speed from t on. */
 static int at_speed(const Scene *scene, double t)
 {
     const WinchPhase *const now = &scene->winch->phase;
@@ -238,7 +239,7 @@ static int at_speed(const Scene *scene, double t)
     return winch_speed(scene->winch, t) > 0 && fabs(rate) <= AT_SPEED * scene->largest_speed;
 }
 
-/* The first time from which on it does, s; INFINITY: never before `end`. */
+/* First time from which on it does, s; INFINITY: not before `end`. */
 static double first_at_speed(const Scene *scene, double end)
 {
     double t = 0;
@@ -248,7 +249,7 @@ static double first_at_speed(const Scene *scene, double end)
     return t <= end ? t : INFINITY;
 }
 
-/* When the winch has hauled the front to s, by bisection; between 0 and `end`. */
+/* Time when the winch has hauled the front to s, by bisection; between 0 and `end`. */
 static double time_of(const Scene *scene, double s, double end)
 {
     double early = 0, late = end;
@@ -263,7 +264,7 @@ static double time_of(const Scene *scene, double s, double end)
     return late;
 }
 
-/* Whether a belt runs with the cable at the end: by the winch's speed, or by one of its own that is the same. */
+/* Checks whether a belt runs at the cable's speed at the end: at the winch's, or at an equal speed of its own. */
 static int runs_with(const Scene *scene, const ConveyorDef *c)
 {
     const double end = scene->def.duration, largest = scene->largest_speed;
@@ -278,21 +279,21 @@ const char *positions_unknown(const Stage *st)
     const SceneDef *const def = &scene->def;
     if (scene->rod->present) return "a rod is not pulled: 'analysis: static' has its equilibria";
     if (!scene->winch->present || scene->winch->mode != WINCH_SPEED) return "it needs a winch with a speed";
-    if (def->n_jams > 0) return "what jams stops at a time: 'analysis: dynamics' has that";
-    if (def->n_script > 0) return "a script changes things at times: 'analysis: dynamics' has that";
+    if (def->n_jams > 0) return "a jam happens at a time: use 'analysis: dynamics'";
+    if (def->n_script > 0) return "a script has changes in time: use 'analysis: dynamics'";
     if (scene->start || def->launch.present) return "the chain begins off its route: use 'analysis: dynamics'";
-    if (def->medium.density > 0) return "nothing in air or water is steady at once: use 'analysis: dynamics'";
+    if (def->medium.density > 0) return "motion in air or water is not steady from the start: use 'analysis: dynamics'";
     if (scene->chain.sliders.count > 0 || st->whole.sliders.count > 0)
-        return "bending that keeps some of it depends on the way: use 'analysis: dynamics'";
+        return "bending with hysteresis depends on the path: use 'analysis: dynamics'";
     if (!def->solver.relax) return "it begins with an equilibrium: 'solver.relax' must be true";
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
         if (room->present && room->kind->remembers && room->kind->remembers(room, &st->ws))
-            return "friction that sticks depends on the way: use 'friction.law: adams'";
+            return "friction that sticks depends on the path: use 'friction.law: adams'";
     }
     for (int i = 0; i < def->n_conveyors; ++i) {
         if (runs_with(scene, &def->conveyors[i]))
-            return "a belt that runs with the cable pushes by what lengths decide: use 'analysis: dynamics'";
+            return "the push of a belt at the cable's speed depends on lengths: use 'analysis: dynamics'";
     }
     return NULL;
 }
@@ -305,7 +306,7 @@ double positions_held_from(const Scene *scene)
     return tail - reel->distance - scene->joint_s[0];
 }
 
-/* A chain whose end is fastened to an empty drum does not run on: there is no steady motion from there. */
+/* A chain whose end is fastened to an empty drum comes to a stop: no steady motion follows. */
 static hawser_status held_check(const Scene *scene, double t, hawser_error *err)
 {
     const double travel = winch_travel(scene->winch, t), held = positions_held_from(scene);
@@ -325,7 +326,7 @@ static hawser_status list_alloc(Positions *p, int n, hawser_error *err)
     return p->time ? HAWSER_OK : error_memory(err);
 }
 
-/* A position that the winch passes at a constant speed. */
+/* Checks that the winch passes a position at a constant speed. */
 static hawser_status place_check(const Scene *scene, double s, double end, double *t, hawser_error *err)
 {
     const double begins = first_at_speed(scene, end), first = head_at(scene, begins), last = head_at(scene, end);
@@ -350,7 +351,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Adds where something that goes with time has a corner, a table of the back tension say: the worst is there, if it is
+/* Adds the corners of quantities that depend on time, e.g. a table of the back tension: the worst is there, if it is
  * not at an end. */
 static hawser_status corners_add(Positions *p, const Scene *scene, hawser_error *err)
 {
@@ -371,8 +372,7 @@ static hawser_status corners_add(Positions *p, const Scene *scene, hawser_error 
     return HAWSER_OK;
 }
 
-/* Evenly from the first to the last; so many that none is farther from the next than `step`, and where there are
- * corners. */
+/* Lists positions evenly from first to last, at distances of at most `step`, and at corners. */
 static hawser_status list_even(Positions *p, const Scene *scene, double end, hawser_error *err)
 {
     const PositionsDef *const def = &scene->def.analysis.positions;
@@ -380,7 +380,8 @@ static hawser_status list_even(Positions *p, const Scene *scene, double end, haw
     const double to = isnan(def->to) ? head_at(scene, end) : def->to, way = to - from;
     double longest = 0;
     for (int i = 0; i < scene->chain.n; ++i) longest = fmax(longest, 2 * scene->chain.half[i]);
-    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* whole segments: (PS8) */
+    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* a multiple of the segment length:
+                                                                                 * (PS8) */
     const double step = isnan(def->step) ? fmax(longest, usual) : def->step;
     if (!(way >= 0)) {
         return error_set(err, HAWSER_ERR_INPUT,
@@ -431,7 +432,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
     if (status) return status;
     scene->def.duration = p->time[p->n - 1];
     scene->def.output.steady_from = p->time[0];
-    scene->def.output.checkpoint = 0; /* they are found in seconds again */
+    scene->def.output.checkpoint = 0; /* they can be computed again in seconds */
     Chain *const both[] = {&scene->chain, &st->whole};
     for (int k = 0; k < 2; ++k) { /* (PS3) */
         for (int c = 0; both[k]->n > 0 && c < 6; ++c)
@@ -457,16 +458,16 @@ double positions_next(const Positions *p, double t, double end)
     return end;
 }
 
-/* ------------------------------------------------------------------------------------------- where the chain lies */
+/* ------------------------------------------------------------------------------------------- the laid chain */
 
-/* m, by which the chain as it is laid at time t has moved on. */
+/* m, travel of the chain as it is laid at time t. */
 static double laid_travel(const Positions *p, const Stage *st, double t)
 {
     return winch_travel(st->scene.winch, t) + p->hanging.ahead;
 }
 
-/* The window when the chain has moved on by `travel`: from the first segment whose rear end is not behind the drum,
- * which stretched cable lies `back` (m) behind, to the last whose rear end is before the winch. */
+/* Window of the chain when it has moved on by `travel`: from the first segment whose rear end has passed the drum, with
+ * the stretched cable `back` (m) behind, to the last whose rear end is before the winch. */
 static void window_at(const Stage *st, double travel, double back, int *first, int *n)
 {
     const Scene *const scene = &st->scene;
@@ -480,7 +481,8 @@ static void window_at(const Stage *st, double travel, double back, int *first, i
     *n = end - from;
 }
 
-/* The segment that has passed the winch last, laid; where it takes the rope in, and there is one. */
+/* Writes the segment that passed the winch last, as laid; for a winch that takes the rope in, if there is such a
+ * segment. */
 static int taken_laid(const Scene *scene, double travel, double row[STATE_SIZE])
 {
     const int taken = scene->first + scene->chain.n;
@@ -489,8 +491,8 @@ static int taken_laid(const Scene *scene, double travel, double row[STATE_SIZE])
     return 1;
 }
 
-/* How segment i hangs once it has passed: as is known of one, by the geometric series that the last ones were of, and
- * behind by what the rope between is stretched as it passes (QS12), (QS15). */
+/* Offset of segment i as it passes the winch: extrapolated from the known ones by their geometric series; along the
+ * pull, it is behind by the stretch of the rope that passes (QS12), (QS15). */
 static void hangs(const Positions *p, const Stage *st, int i, Vec3 *held, Vec3 *turn)
 {
     const Hanging *const h = &p->hanging;
@@ -503,8 +505,8 @@ static void hangs(const Positions *p, const Stage *st, int i, Vec3 *held, Vec3 *
     *turn = v3_axpy(h->turn, more, h->turning);
 }
 
-/* The winch holds the head's front end; where it takes the rope in, by the segment that has passed it last (RL16),
- * which hangs as it is known to (QS12). */
+/* Places the hold of the head's front end: for a winch that takes the rope in, at the segment that has passed it last
+ * (RL16), with its offset (QS12). */
 static void winch_put(const Positions *p, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
@@ -521,7 +523,7 @@ static void winch_put(const Positions *p, Stage *st, double travel)
     winch_take_in(w, st->t, V3_ZERO, V3_ZERO);
 }
 
-/* The chain of time t laid along its route, with the moving rollers as they are. */
+/* Lays the chain of time t along its route; moving rollers stay as they are. */
 static hawser_status lay(const Positions *p, Stage *st, double t, double back, hawser_error *err)
 {
     Scene *const scene = &st->scene;
@@ -548,7 +550,7 @@ static hawser_status lay(const Positions *p, Stage *st, double t, double back, h
     return status;
 }
 
-/* How far the tail is behind where it was laid, m. */
+/* Distance of the tail behind the place where it was laid, m. */
 static double tail_back(const Positions *p, const Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -577,7 +579,7 @@ hawser_status positions_begin(Positions *p, Stage *st, hawser_error *err)
 
 /* ------------------------------------------------------------------------------------------- one position */
 
-/* The segment of the state that is nearest to a place. */
+/* Segment of the state that is nearest to a place. */
 static int nearest(const Stage *st, Vec3 place)
 {
     const int n = st->scene.chain.n;
@@ -593,8 +595,8 @@ static int nearest(const Stage *st, Vec3 place)
     return found;
 }
 
-/* Rollers that spin begin at the surface speed of the cable: one that stands would have to be sped up through friction
- * that does not depend on its speed (PS7). */
+/* Starts spinning rollers at the surface speed of the cable: one at rest would have to be accelerated by friction that
+ * does not depend on its speed (PS7). */
 static void spins_start(Stage *st, double speed)
 {
     const Scene *const scene = &st->scene;
@@ -611,7 +613,7 @@ static void spins_start(Stage *st, double speed)
     }
 }
 
-/* Steady motion from the laid chain: from the last position's shape, or from a rest without friction. */
+/* Finds steady motion from the laid chain: from the last position's shape, or from equilibrium without friction. */
 static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation *out, hawser_error *err)
 {
     Scene *const scene = &st->scene;
@@ -674,7 +676,7 @@ void positions_back_to(Positions *p, PositionsKept *kept)
     *kept = (PositionsKept){0};
 }
 
-/* Laid rope: so much before it has passed, that it is not taken for passed, m. */
+/* m before the winch at which laid rope does not count as passed yet. */
 static const double BEFORE = 1e-6;
 
 int positions_passing(const Positions *p, const Stage *st, double *t)
@@ -700,7 +702,7 @@ hawser_status positions_pass(Positions *p, Stage *st, int segment, double t, haw
     const hawser_status status = positions_advance(p, st, t, out, err);
     if (status) return status;
     hangs(p, st, segment, &thought, &turned);
-    hangs(p, st, segment + 1, &held, &turn); /* by which it was found: the next ones go on from there */
+    hangs(p, st, segment + 1, &held, &turn); /* offsets as found: the next ones continue from there */
     const int i = segment - st->scene.first, passed = h->segment - segment;
     const Vec3 going = v3_reject(v3_sub(p->lie.shift[i], held), along);
     const double before = v3_norm(h->going), now = v3_norm(going), ahead = v3_dot(p->lie.shift[i], along);
@@ -715,9 +717,9 @@ hawser_status positions_pass(Positions *p, Stage *st, int segment, double t, haw
     return HAWSER_OK;
 }
 
-/* ------------------------------------------------------------------------------------------- what was found */
+/* ------------------------------------------------------------------------------------------- results */
 
-/* The largest tension and push, and the largest sidewall pressure of the cable. */
+/* Largest tension and compression, and largest sidewall pressure of the cable. */
 static void place_chain(const Scene *scene, const hawser_sample *look, hawser_place *out)
 {
     const int eye = scene->eye - scene->first;
@@ -788,9 +790,9 @@ hawser_status positions_record(Positions *p, const Stage *st, const hawser_sampl
 
 enum { GRID_MOST = 400, BINS_MOST = 200 };
 
-static const double GRID = 0.5, BIN = 2; /* m, at least */
+static const double GRID = 0.5, BIN = 2; /* m, least distances */
 
-static const double SHIFT = 100; /* N, of the back tension for its gain */
+static const double SHIFT = 100; /* N, change of the back tension for its gain */
 
 double by_position_theory(const Setup *setup, PullLaw law, double s, double back, int *no_memory)
 {
@@ -810,7 +812,7 @@ double by_position_theory(const Setup *setup, PullLaw law, double s, double back
     return force;
 }
 
-/* How many parts of at least `length` m, but no more than `most`. */
+/* Number of parts of at least `length` m, at most `most`. */
 static int parts_of(const ByPosition *b, double length, int most)
 {
     const double parts = ceil((b->to - b->from) / length);
@@ -856,13 +858,13 @@ void by_position_free(ByPosition *b)
     memset(b, 0, sizeof *b);
 }
 
-/* At x places of the grid from its first, on the line through two neighbours; of one that has none on its side of where
- * the cable leaves the drum, as it is. */
+/* Value at x places of the grid from its first, on the line through two neighbours on the same side of the place at
+ * which the cable leaves the drum; the value of the end itself if it has no such neighbour. */
 static double on_grid(const ByPosition *b, const double *of, double x)
 {
     const int last = b->n_grid - 2;
     int i = x < last ? (int)x : last;
-    if (i + 1 == b->left) /* nothing between them is the mean of both */
+    if (i + 1 == b->left) /* their mean would be wrong */
         i += b->from + (b->to - b->from) * x / (b->n_grid - 1) < b->leaves ? -1 : 1;
     if (i < 0) return of[0];
     return i > last ? of[last + 1] : of[i] + (x - i) * (of[i + 1] - of[i]);

@@ -16,11 +16,11 @@
 
 static hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err);
 
-static const double SAME_SPEED = 1e-6; /* share of the largest by which a constant speed may differ from itself */
+static const double SAME_SPEED = 1e-6; /* share of its largest value by which a constant speed may vary */
 
 static const Chain *all_joints(const Stage *st) { return st->whole.n > 0 ? &st->whole : &st->scene.chain; }
 
-/* In words, or NULL. */
+/* Text of the obstacle, or NULL. */
 static const char *obstacle(const Stage *st)
 {
     const SceneDef *const def = &st->scene.def;
@@ -82,7 +82,7 @@ void quasi_damping(const Quasi *q, Stage *st, int present)
         const double *const built = q->damping + c * joints;
         const int first = st->whole.n > 0 ? scene->first : 0;
         for (int j = 0; j <= scene->chain.n; ++j) {
-            const int cut = first > 0 && j == 0; /* as window_chain has it */
+            const int cut = first > 0 && j == 0; /* as in window_chain */
             scene->chain.damping[c][j] = present && !cut ? built[first + j] : 0;
         }
         for (int j = 0; j <= st->whole.n && st->whole.n > 0; ++j) st->whole.damping[c][j] = present ? built[j] : 0;
@@ -157,10 +157,10 @@ hawser_status quasi_undo(Quasi *q, Stage *st, const Moving *to, hawser_error *er
     return status ? status : quasi_leave(q, st, err);
 }
 
-/* The books of energy over a stretch of positions, docs/model/45-quasi-static.md (QS13), (QS14): between two of them
- * works and losses go by the trapezoidal rule, and what has joined or left is carried with what it held. */
+/* Balance of energy over a stretch of positions, docs/model/45-quasi-static.md (QS13), (QS14): works and losses between
+ * two of them by the trapezoidal rule; segments that joined or left carry their energy. */
 
-/* What joint j holds, J. */
+/* Energy stored in joint j, J. */
 static double joint_holds(const Chain *chain, const Kinematics *kin, int j)
 {
     const int from = j / LANES * LANES;
@@ -169,7 +169,7 @@ static double joint_holds(const Chain *chain, const Kinematics *kin, int j)
     return upto.elastic - before.elastic;
 }
 
-/* Of motion and height at segment i of the position, J/kg. */
+/* Kinetic and potential energy at segment i of the position, J/kg. */
 static double specific(const Stage *st, int i)
 {
     const int n = st->scene.chain.n;
@@ -183,13 +183,13 @@ static double specific(const Stage *st, int i)
     return energy;
 }
 
-/* What the first segment has besides its own mass: the reel's drum (RL7), kg. */
+/* Mass that the first segment has besides its own: the reel's drum (RL7), kg. */
 static double drum_mass(const Stage *st)
 {
     return st->whole.n > 0 ? st->scene.chain.mass[0] - st->whole.mass[st->scene.first] : 0;
 }
 
-/* (QS14): from the window of the last position to that of now. */
+/* (QS14): from the window of the last position to the present one. */
 static double carried_since(const QuasiRun *q, const Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -212,8 +212,8 @@ static void window_booked(QuasiRun *q, const Stage *st)
     q->booked_drum = drum_mass(st);
 }
 
-/* The books of energy at the first position of a stretch, where the state is put there, and at each of the others, once
- * the stage has come to it (QS13). Errors: MEMORY. */
+/* Balance of energy at the first position of a stretch, after the state is set, and at each of the others, after the
+ * stage has moved to it (QS13). Errors: MEMORY. */
 static hawser_status quasi_books_begin(Sim *s, hawser_error *err)
 {
     Stage *const st = &s->stage;
@@ -233,7 +233,7 @@ static hawser_status quasi_books_position(Sim *s, hawser_error *err)
     return status;
 }
 
-enum { SINGLE = 7 }; /* figures that are no arrays */
+enum { SINGLE = 7 }; /* number of figures that are not arrays */
 
 static size_t tail_numbers(const SampleBuffers *b, const Scene *scene)
 {
@@ -253,7 +253,7 @@ double quasi_roller_load(const Sim *s, const double *numbers, int r)
     return numbers[SINGLE + s->stage.scene.total + 1 + r]; /* behind the tensions */
 }
 
-/* The sample of now to numbers, or numbers into it. */
+/* Copies the present sample to numbers, or numbers to it. */
 static void look_go(Sim *s, double *numbers, int put)
 {
     hawser_sample *const look = &s->look.sample;
@@ -285,13 +285,13 @@ int quasi_between(const Sim *s)
     return q->stage.on && !q->probing && s->stage.t < q->t[QUASI_KEPT - 1];
 }
 
-/* (QS6), over what the last position showed; where only it has something it is that. */
+/* (QS6), instead of the last position's figures; those that only the last position has are kept. */
 void quasi_mix(Sim *s)
 {
     QuasiRun *const q = &s->quasi;
     const double *const a = q->look[QUASI_KEPT - 2], *const b = q->look[QUASI_KEPT - 1];
     const double from = q->t[QUASI_KEPT - 2], u = (s->stage.t - from) / (q->t[QUASI_KEPT - 1] - from);
-    double *const mixed = q->look[0]; /* the one before both has had its use when rows are looked at */
+    double *const mixed = q->look[0]; /* the slot of the oldest position is free when rows are looked at */
     hawser_sample *const look = &s->look.sample;
     for (int k = 0; k < q->numbers; ++k) mixed[k] = isnan(a[k]) || isnan(b[k]) ? b[k] : a[k] + u * (b[k] - a[k]);
     look_go(s, mixed, 1);
@@ -303,50 +303,51 @@ void quasi_mix(Sim *s)
     look->max_tension = look->tension[look->max_tension_joint];
 }
 
-/* A thick front behind a thin rope loads a roller most as it comes to the next one, within a few centimetres of way:
+/* A thick front behind a thin rope loads a roller most as it comes to the next one, within a few centimetres of travel:
  * positions farther apart would miss that. docs/model/45-quasi-static.md (QS9)-(QS12). */
 
 static const double BESIDE = 0.025; /* m, between a peak and the looks that enclose it */
 
-static const double SAME = 1e-6; /* m: the last position is one of these */
+static const double SAME = 1e-6; /* m: a look so close to the last position is that position */
 
-static const double NEARLY = 0.01; /* m, from where a peak is expected: the last position does for the first look */
+static const double NEARLY = 0.01; /* m, from the expected place of a peak: the last position serves as the first
+                                    * look */
 
-static const double PAIR = 0.04; /* m: rollers nearer than that stand at one place */
+static const double PAIR = 0.04; /* m: rollers closer than this count as at one place */
 
-static const double REACH = 0.8; /* m, by which a peak may be away from where the front is above the next roller */
+static const double REACH = 0.8; /* m, largest distance of a peak from the front's place above the next roller */
 
-static const double GAP = 1.5; /* times the last distance between rollers: nothing carries the front there */
+static const double GAP = 1.5; /* times the last distance between rollers: beyond this nothing carries the front */
 
 static const double AS_BEFORE =
-    5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
+    5e-3; /* share by which a load may differ from the last roller's and count as its peak */
 
-static const double WITHIN = 8e-3; /* share of a load that its peak is enclosed to */
+static const double WITHIN = 8e-3; /* share of a load to which its peak is enclosed */
 
-static const double UNSEEN = 0.6; /* share of itself by which a load may be larger where no peak was enclosed (QS10) */
+static const double UNSEEN = 0.6; /* relative error of a load for which no peak was enclosed (QS10) */
 
-static const double SURE = 0.05; /* the same, where one was, for the next one to be taken for alike */
+static const double SURE = 0.05; /* the same after an enclosed peak, for the next roller to count as alike */
 
-static const double JUMP = 0.1; /* share by which a load differs where the front is off a bend or out of a duct */
+static const double JUMP = 0.1; /* share by which a load differs where the front leaves a bend or a duct */
 
-static const double TREND = 0.15; /* m: what a place moves by from roller to roller, and not from bend to bend */
+static const double TREND = 0.15; /* m: largest change of a peak's place from roller to roller within a bend */
 
-enum { ENCLOSE_EVERY = 10, LOOKS = 7 }; /* rollers; looks at one, at most */
+enum { ENCLOSE_EVERY = 10, LOOKS = 7 }; /* rollers between enclosed peaks; largest number of looks at one */
 
-/* The front as far as the winch has hauled it, m: what the chain has stretched by since is behind in its place. */
+/* Place of the front by the winch's travel, m: the stretch of the chain since then is not included. */
 static double hauled(const Scene *scene, double t)
 {
     return scene->joint_s[scene->eye] + winch_travel(scene->winch, t);
 }
 
-/* A position is looked at: where its front is. */
+/* Updates the peaks after a look at a position: by the place of its front. */
 static void quasi_peaks_seen(QuasiRun *q, const Scene *scene, const hawser_sample *look)
 {
     const double lag = hauled(scene, look->t) - look->head_at;
     if (isfinite(lag)) q->peak.lag = lag;
 }
 
-/* The nearest place of a roller behind s, or before it (side 1), m; NAN: there is none. */
+/* Place of the nearest roller behind s, or ahead of it (side 1), m; NAN: there is none. */
 static double beside(const SceneDef *def, double s, int side)
 {
     double found = NAN;
@@ -357,8 +358,8 @@ static double beside(const SceneDef *def, double s, int side)
     return found;
 }
 
-/* Where the front comes to the next roller while r bears it, or would if that were as near as the last one, m; NAN:
- * r stands where another does. */
+/* Place at which the front comes to the next roller while r carries it, or would if that were as near as the last one,
+ * m; NAN: r is at the same place as another. */
 static double landing(const SceneDef *def, int r)
 {
     const double s = def->rollers[r].s, next = beside(def, s, 1), last = s - beside(def, s, -1);
@@ -367,7 +368,7 @@ static double landing(const SceneDef *def, int r)
     return next - s <= GAP * last || isnan(last) ? next : s + last;
 }
 
-/* Where peaks may be. Errors: MEMORY. */
+/* Finds the possible places of peaks. Errors: MEMORY. */
 static hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_error *err)
 {
     q->peak.side = 1;
@@ -377,13 +378,13 @@ static hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_er
     return HAWSER_OK;
 }
 
-/* Looks that enclose the peak of one roller: places (m, of the winch's travel) and loads (N; NAN: not looked there). */
+/* Looks that enclose the peak of one roller: places (m, of the winch's travel) and loads (N; NAN: no look there). */
 typedef struct Enclosed {
     int r, looks;
     double at[3], load[3]; /* the highest in the middle */
 } Enclosed;
 
-/* One more look, taken in for the peaks of all rollers. Where there is no position nothing is lost but a peak. */
+/* Makes one more look, which counts for the peaks of all rollers. If there is no position, only a peak is lost. */
 static hawser_status look_at(Sim *s, Enclosed *e, double head, double *load, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -408,7 +409,8 @@ static hawser_status look_at(Sim *s, Enclosed *e, double head, double *load, haw
     return status;
 }
 
-/* Where to look next: a stride to one side, or half the way to what is known there; then on the other side. */
+/* Place of the next look: a stride to one side, or half the distance to the known look there; then on the other
+ * side. */
 static double next_look(const Enclosed *e, double stride, int side)
 {
     for (int k = 0; k < 2; ++k, side = -side) {
@@ -419,7 +421,7 @@ static double next_look(const Enclosed *e, double stride, int side)
     return e->at[1];
 }
 
-/* A look at x has found this load. */
+/* Adds a look at x with this load. */
 static void enclose(Enclosed *e, double x, double load)
 {
     const int side = x > e->at[1] ? 1 : -1;
@@ -434,7 +436,7 @@ static void enclose(Enclosed *e, double x, double load)
     }
 }
 
-/* By how much the peak may stand above the highest look (QS11), N: the load is concave there. */
+/* Largest excess of the peak over the highest look (QS11), N: the load is concave there. */
 static double above(const Enclosed *e)
 {
     const double *const at = e->at, *const load = e->load;
@@ -442,7 +444,7 @@ static double above(const Enclosed *e)
     return fmax(rise * (at[2] - at[1]), fall * (at[1] - at[0]));
 }
 
-/* There are looks on both sides, whose loads are less. */
+/* Checks for looks on both sides with smaller loads. */
 static int is_closed(const Enclosed *e) { return e->load[0] > 0 && e->load[2] > 0; }
 
 static int is_enclosed(const Enclosed *e)
@@ -452,8 +454,7 @@ static int is_enclosed(const Enclosed *e)
     return fmax(at[2] - at[1], at[1] - at[0]) < 1.01 * BESIDE || above(e) < WITHIN * e->load[1];
 }
 
-/* Looks at both sides, beyond the highest so far, until its peak is enclosed. `middle`: where none is farther away than
- * REACH. */
+/* Looks at both sides of the highest look so far until its peak is enclosed. `middle`: centre of the range of REACH. */
 static hawser_status search(Sim *s, Enclosed *e, double middle, hawser_error *err)
 {
     QuasiPeak *const p = &s->quasi.peak;
@@ -480,7 +481,7 @@ static hawser_status search(Sim *s, Enclosed *e, double middle, hawser_error *er
     return status;
 }
 
-/* The peak of roller r, which is about where the front was at the last one's (QS9). */
+/* Finds the peak of roller r, which is near the front's place at the last roller's peak (QS9). */
 static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -512,8 +513,8 @@ double quasi_peak_error(const QuasiRun *q, int r, double peak)
     return peak * (front ? top->open : UNSEEN);
 }
 
-/* Peaks of rollers' loads between the last two positions, (QS9): found as positions of their own, which count for
- * nothing else. Errors: MEMORY, RUN, STOPPED. */
+/* Finds peaks of rollers' loads between the last two positions (QS9), as separate positions that count for nothing
+ * else. Errors: MEMORY, RUN, STOPPED. */
 static hawser_status quasi_peaks(Sim *s, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -539,25 +540,28 @@ static hawser_status quasi_peaks(Sim *s, hawser_error *err)
     return status;
 }
 
-/* What the pull may swing by, and a position differ from its mean, for positions to go on: shares of it (QS2), (QS3).
- */
+/* Shares of the pull: largest oscillation, and largest difference of a position from the mean, with which positions may
+ * begin (QS2), (QS3). */
 static const double SWING = 0.01, APART = 0.01;
 
-static const double STRETCH = 3; /* windows, that a stretch of positions must last to be worth it */
+static const double STRETCH = 3; /* windows: least duration of a stretch of positions */
 
-/* Longest segments between two positions: golden, so that they meet every phase of a segment's ripple (QS4). */
+/* Longest distance of two positions in segments: golden, so that they meet every phase of a segment's ripple (QS4). */
 static const double GOLDEN = 2.6180339887498949;
 
-enum { POSITIONS_LEAST = 40, CHECKS = 4 }; /* of a stretch: positions; of a run: how often motion is asked again */
+enum {
+    POSITIONS_LEAST = 40,
+    CHECKS = 4
+}; /* least number of positions in a stretch; number of checks by the equations
+    * of motion in a run */
 
-static const double TOLERANCE = 5e-3; /* of the pull, that rows between positions may be off by (QS5) */
+static const double TOLERANCE = 5e-3; /* of the pull: error of rows between positions (QS5) */
 
 static const double SHORTEST = 1.0 / 16; /* of the longest step */
 
-static const double TRIP = 0.9; /* of the pull at which a winch trips: motion decides from there on */
+static const double TRIP = 0.9; /* of the pull at which a winch trips: the equations of motion take over from there */
 
-static const double HANG =
-    4e-4; /* of half a segment, by which one that passes the winch may hang elsewhere than thought */
+static const double HANG = 4e-4; /* of half a segment: error of the expected offset of one that passes the winch */
 
 enum { TRIES = 4, WAIT_MOST = 64, HANG_MOST = 8, HANG_RARELY = 16, NEAR_FRONT = 4 };
 
@@ -605,7 +609,7 @@ static double passing_time(const Scene *scene, double speed)
 
 /* ------------------------------------------------------------------------------------------------------- positions */
 
-/* The last position's state as it was when the winch had hauled in less, (QS7). */
+/* Sets the last position's state back to an earlier travel of the winch (QS7). */
 static void state_at(Sim *s, double t)
 {
     const QuasiRun *const q = &s->quasi;
@@ -617,7 +621,7 @@ static void state_at(Sim *s, double t)
     for (int c = 0; c < 3 * n && back < 0; ++c) st->y[c] += back * st->y[STATE_V * n + c];
 }
 
-/* A position has been found: it is the last one now. */
+/* Stores a position as the last one. */
 static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -646,7 +650,7 @@ static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *
     return HAWSER_OK;
 }
 
-/* By how much a straight line between the last two positions may miss the pull, in tolerances (QS5). */
+/* Error of linear interpolation of the pull between the last two positions, in tolerances (QS5). */
 static double line_error(const QuasiRun *q)
 {
     const double *const t = q->t;
@@ -656,7 +660,7 @@ static double line_error(const QuasiRun *q)
     return h2 / (4 * (h1 + h2)) * fabs(d2 - d1 * h2 / h1) / fmax(allowed, 1e-300);
 }
 
-/* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
+/* Finds the position of time t; the stage is then at t. Errors: as positions_advance. */
 static hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err)
 {
     const double start = clock_now();
@@ -666,14 +670,14 @@ static hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, haws
     return status;
 }
 
-/* Whether the winch might trip before the next position. */
+/* Checks whether the winch might trip before the next position. */
 static int may_trip(const Sim *s, double pull)
 {
     const double trip = s->stage.scene.winch->trip_force;
     return trip > 0 && pull > TRIP * trip;
 }
 
-/* Until when positions may go on, s; the time of now: they end here. */
+/* Time until which positions may go on, s; the present time: they end here. */
 static double goes_until(Sim *s, double t)
 {
     const QuasiRun *const q = &s->quasi;
@@ -685,8 +689,8 @@ static double goes_until(Sim *s, double t)
     return quasi_steady_until(scene, now, scene_next_stop(scene, now, end));
 }
 
-/* The next position, ahead of the time of now; no more than a step on. Where there is none nearer and nearer either,
- * *on is 0, and the state that of now. */
+/* Finds the next position, at most one step ahead of the present time. If none is found even close by, *on is 0 and the
+ * state is the present one. */
 static hawser_status next_position(Sim *s, double until, int *on, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -716,8 +720,8 @@ static hawser_status next_position(Sim *s, double until, int *on, hawser_error *
     return status;
 }
 
-/* How the segments hang by which the winch holds the rope: it is asked of the next one to pass, and of those behind it
- * until one hangs as was thought (QS15). The stage is anywhere then. */
+/* Finds the offsets of the segments by which the winch holds the rope: of the next one to pass, and of those behind it
+ * until one is as expected (QS15). The stage's time is arbitrary afterwards. */
 static hawser_status hang(Sim *s, double until, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -740,8 +744,8 @@ static hawser_status hang(Sim *s, double until, hawser_error *err)
     return status == HAWSER_ERR_RUN ? HAWSER_OK : status;
 }
 
-/* Whether the segment at the head is so far behind the last that was asked; less far as the front comes to the winch.
- */
+/* Checks whether the segment at the head is far enough behind the last whose offset was found; the distance falls as
+ * the front comes to the winch. */
 static int hang_due(const Sim *s)
 {
     const Scene *const scene = &s->stage.scene;
@@ -767,7 +771,7 @@ static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- from one to the other */
+/* ------------------------------------------------------------------------------------------- the change of method */
 
 static void window_begin(QuasiRun *q) { q->window.from = -1; }
 
@@ -808,7 +812,7 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err)
     return *arrived ? quasi_books_position(s, err) : HAWSER_OK;
 }
 
-/* Takes the last step in; 1: a window has ended (QS1). */
+/* Adds the last step; 1: a window has ended (QS1). */
 static int window_step(QuasiRun *q, const Scene *scene, double t, double pull)
 {
     PullWindow *const w = &q->window;
@@ -830,7 +834,7 @@ static int window_step(QuasiRun *q, const Scene *scene, double t, double pull)
     return t - w->from >= lasts;
 }
 
-/* Positions from here on, if the first of them is what the motion came to (QS3). */
+/* Starts positions from here on, if the first of them agrees with the motion (QS3). */
 static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -893,7 +897,8 @@ void quasi_checkpoint_before(Checkpoint *c, Sim *s)
     QuasiRun *const q = &s->quasi;
     int on = q->stage.on;
     CHECKPOINT(c, on);
-    if (!checkpoint_check(c, on == 0 || (on == 1 && q->stage.damping), "positions move what they cannot")) return;
+    if (!checkpoint_check(c, on == 0 || (on == 1 && q->stage.damping), "positions move a scene that they cannot move"))
+        return;
     if (c->reading && !c->status && q->stage.damping && on != q->stage.on) quasi_damping(&q->stage, &s->stage, !on);
     q->stage.on = on;
 }

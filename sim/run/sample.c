@@ -15,7 +15,7 @@
 /* ------------------------------------------------------------------------------------- strain within a segment */
 
 /* Shares and compliances of a place whose segment and arm are known: the half-spring of its side in series with what is
- * beyond the joint, or alone where the end is held; nothing where it is free (RD15). */
+ * beyond the joint, or alone where the end is held; zero where it is free (RD15). */
 static void strain_fill(const Scene *scene, ProbePlace *p)
 {
     const Chain *const c = &scene->chain;
@@ -31,8 +31,8 @@ static void strain_fill(const Scene *scene, ProbePlace *p)
     }
 }
 
-/* Where a place of the cable is, strained as its half of the segment is: from the bushing on its side, and from the
- * loads on that half (RD15). */
+/* Place of the cable, strained like its half of the segment: by the bushing on its side, and by the loads on that half
+ * (RD15). */
 typedef struct Strained {
     Vec3 position; /* m */
     Quat attitude;
@@ -45,7 +45,7 @@ static Quat attitude_of(const Kinematics *kin, int i)
     return (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
 }
 
-/* The end of segment i (or the ground's) at its joint ahead or behind, m. */
+/* End of segment i (or of the ground) at its joint ahead or behind, m. */
 static Vec3 end_of(const Scene *scene, const Kinematics *kin, int i, int ahead)
 {
     return v3_axpy(v3_load(kin->p, i), (ahead ? 1 : -1) * scene->chain.half[i], v3_load(kin->a, i));
@@ -74,7 +74,7 @@ static Strained place_strained(const ProbePlace *p, const Scene *scene, const Ki
 
 /* ------------------------------------------------------------------------------------------------------- probes */
 
-/* How segment i lies in the initial state y; beyond the ends the ground of a rod, or nothing turned. */
+/* Attitude of segment i in the initial state y; beyond the ends that of a rod's ground, or none. */
 static Quat attitude_in(const Scene *scene, const double *y, int i)
 {
     const int n = scene->chain.n;
@@ -83,8 +83,7 @@ static Quat attitude_in(const Scene *scene, const double *y, int i)
     return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
 
-/* Segment, nearest joint, what of the segment's strain is the place's, and the pose of t = 0, where joints are closed.
- */
+/* Finds segment, nearest joint, share of the segment's strain, and the pose at t = 0, when joints are closed. */
 static void place_fill(const Scene *scene, const double *y, double at, ProbePlace *p)
 {
     const int n = scene->chain.n;
@@ -136,8 +135,8 @@ static void vector_put(Vec3 v, double out[3])
 
 static Vec3 entry(double *const *array, int i) { return v3(array[0][i], array[1][i], array[2][i]); }
 
-/* What the part ahead of the joint does to the part behind it: the bushing's force on the segment before the joint, and
- * its moment taken about that segment's end (RD9). */
+/* Force of the part ahead of the joint on the part behind it: the bushing's force on the segment before the joint, and
+ * its moment about that segment's end (RD9). */
 static void section_look(const ProbePlace *p, const Scene *scene, const Workspace *ws, hawser_probe *out)
 {
     const int a = p->joint - 1; /* a ghost at the tail: its end is its centre */
@@ -256,7 +255,7 @@ double hawser_machine_figure(const hawser_machine *machine, const char *key)
     return NAN;
 }
 
-/* One row of the sample. */
+/* Writes one row of the sample. */
 static void row_set(SampleBuffers *b, int i, Vec3 p, Quat q, Vec3 v, Vec3 w)
 {
     const double position[3] = {p.x, p.y, p.z}, quaternion[4] = {q.w, q.x, q.y, q.z};
@@ -268,8 +267,8 @@ static void row_set(SampleBuffers *b, int i, Vec3 p, Quat q, Vec3 v, Vec3 w)
     b->axial_speed[i] = v3_dot(v, quat_rotate(q, v3(1, 0, 0)));
 }
 
-/* The drum lies below the line, level and across it, and its middle follows the place where the cable leaves. Cable at
- * the angle `back` behind that place has gone round the drum by it. */
+/* The drum is below the line, level and across it, and its middle follows the place where the cable leaves. Cable at
+ * the angle `back` behind that place has turned by this angle with the drum. */
 static void wound_row(SampleBuffers *b, const Reel *r, int i, const WindingPoint *p, const WindingPoint *leaving,
                       double speed)
 {
@@ -313,8 +312,8 @@ static void taken_take(SampleBuffers *b, const Scene *scene, const hawser_sample
 }
 
 /* Fills the rows of the segments that are not simulated, before the first and behind the last that is
- * (sim/run/sample.c). Wound segments lie in their layers on the drum, which turns, and move with its surface;
- * those taken in are all where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
+ * (sim/run/sample.c). Wound segments are in their layers on the drum, which turns, and move with its surface; those
+ * taken in are all at the place where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
  * tensions. docs/model.md, "Reel and take-in". */
 static void absent_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts)
 {
@@ -365,7 +364,7 @@ void events_free(EventLog *log)
     memset(log, 0, sizeof *log);
 }
 
-/* cos(150 deg / 2): of the angle between two orientations q and p the half has the cosine |q.p|; cos 30 deg. */
+/* cos(150 deg / 2): half the angle between two orientations q and p has the cosine |q.p|; cos 30 deg. */
 static const double HALF_FAR = 0.25881904510252076, HEAD_FAR = 0.8660254037844386;
 
 static int joint_turned(const Chain *chain, const Kinematics *kin)
@@ -414,7 +413,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->axial_speed = piece_of(&memory, n);
     b->tension = piece_of(&memory, n + 1);
     b->roller_load = piece_of(&memory, nr);
-    for (int k = 0; k < 2 && scene->equipment->n > 0; ++k) { /* NAN for good where a roller does not move */
+    for (int k = 0; k < 2 && scene->equipment->n > 0; ++k) { /* NAN for good for rollers that do not move */
         b->moving[k] = piece_of(&memory, nr);
         for (int r = 0; r < rollers; ++r) b->moving[k][r] = NAN;
     }
@@ -476,8 +475,8 @@ static void speed_take(SampleBuffers *b, const Kinematics *kin, int first, int n
     }
 }
 
-/* N along the segment of a rod's end about which it turns freely (segment 0's joint, or the last one's): the law's
- * frame lies half way between the segment and the ground, which does not turn. */
+/* Tension, N, along the segment at a rod's end about which it turns freely (segment 0's joint, or the last one's): the
+ * law's frame is half way between the segment and the ground, which does not turn. */
 static double turned_tension(const Scene *scene, const Workspace *ws, int j)
 {
     const int i = j == 0 ? 0 : j - 1;
@@ -491,7 +490,7 @@ static double turned_tension(const Scene *scene, const Workspace *ws, int j)
     return v3_dot(quat_rotate(frame, force), v3_load(kin->a, i));
 }
 
-/* Whether a rod's end turns about its joint. */
+/* Checks whether a rod's end turns about its joint. */
 static int turns_freely(const Scene *scene, int j)
 {
     const Chain *const c = &scene->chain;
@@ -529,8 +528,8 @@ double sidewall_at(const Scene *scene, double s, double tension)
     return turn > 0 ? tension * turn * bundle_share(&scene->def, supports_surface(&scene->setup.supports, s)) : 0;
 }
 
-/* What there is along the chain besides tension, of the segments that are simulated; the others have none of it. A rod
- * has no route that could press on it. */
+/* Fields along the chain besides tension, for the simulated segments; the others have none. A rod has no route that
+ * could exert a sidewall pressure. */
 static void fields_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
 {
     const int n = scene->chain.n, first = scene->first, eye = scene->eye - first;
@@ -577,7 +576,7 @@ static void surfaces_take(SampleBuffers *b, const Workspace *ws)
     }
 }
 
-/* The reel, and the back tension that it gives. */
+/* Figures of the reel, and the back tension that it gives. */
 static void reel_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t)
 {
     hawser_sample *const s = &b->sample;

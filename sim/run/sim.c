@@ -1,4 +1,4 @@
-/* Where the chain begins: outside itself, outside of what it is pulled over, and at rest. */
+/* Start of the chain: not inside itself, not inside what it is pulled over, and at rest. */
 #include "sim/run/sim.h"
 
 #include <math.h>
@@ -24,9 +24,9 @@
 #include "sim/run/trust.h"
 #include "theory/conditions.h"
 
-static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
+static const double GRADE_LOST = M_PI / 180; /* rad, largest loss of grade in one bend that is not reported */
 
-/* Where lines meet no contact can tell on which side of each other they are. */
+/* No contact can find on which side of each other crossing lines are. */
 static hawser_status start_check(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -42,7 +42,7 @@ static hawser_status start_check(Sim *s, hawser_error *err)
                      deepest.foot);
 }
 
-/* Says in an event which bend loses the route's grade. Errors: MEMORY. */
+/* Reports in an event the bend that loses the route's grade. Errors: MEMORY. */
 static hawser_status start_grades(Sim *s, hawser_error *err)
 {
     const Route *const route = &s->stage.scene.route;
@@ -55,7 +55,7 @@ static hawser_status start_grades(Sim *s, hawser_error *err)
     return sim_note(s, HAWSER_EVENT_NOTE, 0, s->grade_says, s->look.sample.winch_force, err);
 }
 
-/* Likewise what holds the tail before the start where the case does not (BK11). */
+/* Reports in an event the force that holds the tail before the start if the case gives none (BK11). */
 static hawser_status start_held(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -68,7 +68,7 @@ static hawser_status start_held(Sim *s, hawser_error *err)
     return sim_note(s, HAWSER_EVENT_NOTE, 0, s->held_says, s->look.sample.winch_force, err);
 }
 
-/* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */
+/* Checks whether no contact force exceeds the sum of all loads, by a look at the present state. */
 static int fits(void *user)
 {
     Sim *const s = user;
@@ -79,8 +79,8 @@ static int fits(void *user)
     return s->passing.start.force <= s->passing.start.allowed;
 }
 
-/* Relaxation (E7): of a chain in space without its weight, so that what is to fall does not fall yet, and no farther
- * than until it fits. What does not come to fit begins where it was. */
+/* Relaxes a chain in space without its weight, so that nothing falls yet, and only until it fits (E7). A chain that
+ * does not fit then starts where it was. */
 static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
 {
     Stage *const st = &s->stage;
@@ -101,8 +101,8 @@ static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
     return st->motion->ops->renew(st->motion, st->t, st->y, err);
 }
 
-/* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
- * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
+/* Moves a chain that is not to be relaxed, but whose chords are inside what the line would only touch, out of it: by
+ * the relaxation, which ends as soon as no contact force exceeds the sum of all loads (E7). Errors: MEMORY. */
 static hawser_status start_fit(Sim *s, hawser_error *err)
 {
     Stage *const st = &s->stage;
@@ -117,7 +117,7 @@ static hawser_status start_fit(Sim *s, hawser_error *err)
     return status;
 }
 
-/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+/* The relaxation starts at rest; initial speeds of the case are set after it. */
 static void chain_stop(Stage *st)
 {
     const size_t n = (size_t)st->scene.chain.n;
@@ -135,7 +135,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
         Stage *const st = &each->stage;
         chain_stop(st);
         st->motion->ops->look(st->motion, st->t, st->y, 0);
-        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* what is there to be kept */
+        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* the state that is kept */
     }
     if (s->together) {
         status = together_relax(s->together, &s->relaxation, err);
@@ -159,7 +159,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     return status;
 }
 
-/* Half a roller's width over what the cable may lie off its middle. */
+/* Half a roller's width over the allowed distance of the cable from its middle. */
 static const double WIDER = 1 / TRUST_EDGE;
 
 static hawser_status off_roller(const Edge *e, hawser_error *err)
@@ -241,9 +241,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     return status ? status : start_fit(s, err);
 }
 
-/* What the integrator moves, and its state. */
-
-/* The simulations of the chains beside this one, in the order of the case, and what moves them all. */
+/* Creates the simulations of the chains beside this one, in the order of the case, and what moves them all. */
 static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
     Sim **const sim = calloc((size_t)def->n_beside + 1, sizeof(Sim *));
@@ -257,7 +255,7 @@ static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status) {
         status = together_new(sim, n, err);
         if (!status) sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin);
-        if (s->together) return status; /* it has taken them over */
+        if (s->together) return status; /* they belong to it now */
     }
     for (int k = 1; k < n; ++k) sim_free(sim[k]);
     free(sim);
@@ -328,7 +326,7 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
-/* By the kinematics in the workspaces. */
+/* Updates the overlap by the kinematics in the workspaces. */
 static void overlap_watch(Sim *s)
 {
     const Scene *const alone = &s->stage.scene;
@@ -339,7 +337,7 @@ static void overlap_watch(Sim *s)
     }
 }
 
-/* Positions in place of time steps: each is found by itself, whatever came before. */
+/* Positions in place of time steps: each is found independently of those before. */
 static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_error *err)
 {
     const double start = clock_now();
@@ -357,7 +355,8 @@ static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_er
     return status;
 }
 
-/* Where the integrator must stop next: where a room is not smooth, at a row of a script, or at `stop`. */
+/* Next time at which the integrator must stop: where an equipment kind is not smooth, at a row of a script, or at
+ * `stop`. */
 static double next_stop(Sim *s, double stop)
 {
     for (int k = 0; k < sim_chains(s); ++k) {
@@ -367,8 +366,8 @@ static double next_stop(Sim *s, double stop)
     return stop;
 }
 
-/* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
- * its segment up to date and leaves the ghosts to who comes next. */
+/* Place of the cable's front, m along the route; NAN if it is not simulated, or in the plane. Updates the kinematics of
+ * its segment but not the ghosts. */
 static double front_at(Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -379,7 +378,7 @@ static double front_at(Stage *st)
     return along_eye(scene, &st->ws.kin, winch_motion(scene->winch, &scene->chain, &st->ws.kin, st->t).travel);
 }
 
-/* What a step may have brought about, with the winch's pull as it was then. */
+/* Handles the events of a step, with the winch's pull at that time. */
 static hawser_status events_watch(Sim *s, hawser_error *err)
 {
     Stage *const st = &s->stage;
@@ -404,7 +403,7 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     return status;
 }
 
-/* Between two rows a joint may have turned right round: rods are looked at after every step. */
+/* Between two rows a joint may make a full turn: rods are checked after every step. */
 static void rod_watch(Sim *s)
 {
     Stage *const st = &s->stage;
@@ -412,7 +411,7 @@ static void rod_watch(Sim *s)
     st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
 }
 
-/* Chains have one integrator, the first's: who swings fastest bounds its steps (EB25). */
+/* Chains share the first one's integrator: the fastest oscillation bounds its steps (EB25). */
 static void swings_bound(Sim *first)
 {
     double least = 0;
@@ -424,7 +423,7 @@ static void swings_bound(Sim *first)
     integrator_bound(first->stage.integrator, least);
 }
 
-/* Peaks between two rows are peaks of the run as well (EB14). */
+/* Peaks between two rows are peaks of the run too (EB14). */
 static void peak_watch(Sim *s)
 {
     Stage *const st = &s->stage;
@@ -444,7 +443,7 @@ static void peak_watch(Sim *s)
     peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
 }
 
-/* Of several chains the one with the fastest point. */
+/* The chain with the fastest point. */
 static Sim *fastest_chain(Sim *s)
 {
     Sim *fastest = s;
@@ -458,7 +457,7 @@ static Sim *fastest_chain(Sim *s)
     return fastest;
 }
 
-/* The one whose scene that is. */
+/* The chain that has this scene. */
 static Sim *chain_with(Sim *s, const Scene *scene)
 {
     int k = 0;
@@ -479,7 +478,7 @@ void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
                 each->stats.surface_out, out);
 }
 
-/* The window whose steps were shortest stays in mind. */
+/* Keeps the window with the shortest steps. */
 static hawser_status stall_watch(Sim *s, hawser_error *err)
 {
     const double t = s->stage.t;
@@ -495,7 +494,7 @@ static hawser_status stall_watch(Sim *s, hawser_error *err)
         s->stall.slowest.says);
 }
 
-/* A failed step: what had held up the ones before it goes with the message. */
+/* Adds the cause of short steps before a failed one to its message. */
 static void failure_explain(Sim *s, hawser_error *err)
 {
     hawser_hold hold;
@@ -505,7 +504,7 @@ static void failure_explain(Sim *s, hawser_error *err)
     snprintf(err->message + used, sizeof err->message - used, "; before it %s", hold.says);
 }
 
-/* The modes about the equilibrium of the end. */
+/* Finds the modes about the final equilibrium. */
 static hawser_status modes_at_end(Sim *s, hawser_error *err)
 {
     hawser_error why = {0};
@@ -533,7 +532,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     return status;
 }
 
-/* What is due after a step, or before the first. */
+/* Records and events after a step, or before the first. */
 static hawser_status step_watch(Sim *s, hawser_error *err)
 {
     hawser_status status = events_watch(s, err);
@@ -542,7 +541,7 @@ static hawser_status step_watch(Sim *s, hawser_error *err)
     return status ? status : script_due(s, err);
 }
 
-/* Peaks of what all press rollers with. */
+/* Peaks of the loads of rollers by all chains. */
 static void chains_watch(struct Together *all)
 {
     if (!together_stepped(all)) return;
@@ -562,8 +561,8 @@ static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
     return status ? status : quasi_begin(s, err);
 }
 
-/* On by positions in steady motion; each of them counts, whatever rows there are. Who goes step by step is shown a step
- * of rows: positions may be farther apart. */
+/* Moves on by positions in steady motion; each of them counts for the records. A caller that goes step by step gets a
+ * step of rows, because positions may be farther apart. */
 static hawser_status advance_still(Sim *s, double t, int one_step, hawser_error *err)
 {
     const double interval = s->stage.scene.def.output.interval;
@@ -571,12 +570,12 @@ static hawser_status advance_still(Sim *s, double t, int one_step, hawser_error 
     if (one_step && interval > 0) t = fmin(t, s->stage.t + interval);
     hawser_status status = quasi_move(s, t, &arrived, err);
     if (status || !arrived) return status;
-    s->stats.step_t = s->stage.t; /* what steps say begins again behind it */
+    s->stats.step_t = s->stage.t; /* records by steps begin again from here */
     sim_record_row(s);
     return events_watch(s, err);
 }
 
-/* Without memory parts may be half renewed: from then on nothing of them is looked at. */
+/* Without memory parts may be half renewed: nothing of them is read from then on. */
 static hawser_status torn_or(Sim *s, hawser_status status)
 {
     for (int k = 0; k < sim_chains(s) && status == HAWSER_ERR_MEMORY; ++k) sim_chain(s, k)->stage.torn = 1;
@@ -591,8 +590,8 @@ static hawser_status advance(Sim *s, double t, int one_step, hawser_error *err)
     for (int k = 0; !status && k < sim_chains(s); ++k) {
         Sim *const each = sim_chain(s, k);
         WinchPhase *const winch = &each->stage.scene.winch->phase;
-        if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
-        status = script_due(each, err);                 /* what is due at the very beginning */
+        if (winch->held == HELD_FIRST) winch->held = 0; /* releases the brake that held a winch of set tension */
+        status = script_due(each, err);                 /* rows of the script at the very beginning */
     }
     while (s->stage.t < t && !status) {
         status = s->quasi.stage.on ? advance_still(s, t, one_step, err) : advance_moving(s, t, err);
@@ -619,7 +618,7 @@ const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
 const hawser_sample *hawser_sim_sample(Sim *s) { return s ? sim_look(SHOWN(s), SAMPLE_ALL) : NULL; }
 
-/* Says once that the run has left what its model can do. */
+/* Reports once that the run has left the range of its model. */
 static void turned_watch(Sim *s, const hawser_sample *look)
 {
     Stage *const st = &s->stage;
@@ -653,7 +652,7 @@ static void record_one(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-/* The first last, whose look is at all of them. */
+/* Records the first chain last, because its look covers all of them. */
 static void record_now(Sim *s, SampleParts parts)
 {
     if (s->stage.torn) return;
@@ -669,10 +668,10 @@ void hawser_sim_record(Sim *s)
 
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
-/* Everything that a simulation keeps, in one list. What belongs to what is watched stands here, so that it can be read
- * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
+/* Everything that a simulation saves, in one list. Records are listed here, so that they can be read in one go; the
+ * data of the steps is saved by its owners (stage_checkpoint). */
 
-/* Of a table's row, what is neither a name nor known from the case. */
+/* The part of a table's row that is neither a name nor known from the case. */
 #define ROW(c, row, type, member) CHECKPOINT_FROM(c, row, type, member)
 
 static void stats_checkpoint(Checkpoint *c, Stats *s)
@@ -742,7 +741,7 @@ static void places_checkpoint(Checkpoint *c, ByPosition *b)
     CHECKPOINT(c, b->mean);
 }
 
-/* It is there if somebody has asked for it. */
+/* It exists if it was requested. */
 static hawser_status envelope_checkpoint(Checkpoint *c, Envelope *e, const Scene *scene, hawser_error *err)
 {
     int present = e->present;
@@ -788,7 +787,7 @@ static void events_checkpoint(Checkpoint *c, EventLog *log)
     }
 }
 
-/* Of an analysis that has come to its end. */
+/* Results of a finished analysis. */
 static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
 {
     const size_t each = 6 * (size_t)segments;
@@ -813,10 +812,10 @@ static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
     }
 }
 
-/* What the run was told, and what winch, jams and conveyors have come to: in bytes of its own (sim/run/commands.h). */
+/* Changes by commands, and the states of winch, jams and conveyors: in bytes of their own (sim/run/commands.h). */
 static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
-    const int reel = s->stage.scene.reel->present; /* which the stage asks for itself */
+    const int reel = s->stage.scene.reel->present; /* the stage checks it itself */
     hawser_status status = HAWSER_OK;
     int size = (int)controls_size(s), room = 0;
     if (c->status) return status;
@@ -830,7 +829,7 @@ static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *er
     return status;
 }
 
-/* Whom the caller has set acts on what was read, also if it is from before that. */
+/* Call-backs set by the caller act on the state that was read, even if it is older than them. */
 static hawser_status calls_go_on(Sim *s, hawser_error *err)
 {
     s->led |= s->calls.step || s->calls.event || s->calls.law;
@@ -847,7 +846,7 @@ static void stall_checkpoint(Checkpoint *c, Stall *stall)
     checkpoint_longs(c, 4, (const long[]){from->steps, from->error_fails, from->newton_fails, from->strides});
 }
 
-/* What is watched of one chain. */
+/* Records of one chain. */
 static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -890,12 +889,13 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     if (!status) status = quasi_checkpoint(c, s, err);
     for (int k = 0; !status && k < sim_chains(s); ++k) status = watched_checkpoint(c, sim_chain(s, k), err);
     if (status || !c->reading || c->status) return status;
-    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* what solves now is not what the beginning asked for */
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the present solver is not the one chosen at the
+                                                                * beginning */
     return calls_go_on(s, err);
 }
 
-/* The chain as the case makes it, and the state that a run begins with: what is simulated is as much the case's files,
- * the catalogue and this program's defaults as its own text. */
+/* Hash of the chain as the case makes it, and of the initial state: the case's files, the catalogue and this program's
+ * defaults determine the simulation as much as the case's text. */
 static uint64_t chain_identity(const Sim *s)
 {
     const Scene *const scene = &s->stage.scene;
@@ -909,7 +909,7 @@ static uint64_t chain_identity(const Sim *s)
     sum[n++] = checkpoint_hash(chain->half, (joints - 1) * sizeof(double));
     sum[n++] = checkpoint_hash(chain->radius, (joints - 1) * sizeof(double));
     for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->stiffness[k], joints * sizeof(double));
-    for (int k = 0; k < 6; ++k) { /* which springs do without while positions move the run */
+    for (int k = 0; k < 6; ++k) { /* springs have no damping while positions move the run */
         const double *const built = s->quasi.stage.damping ? s->quasi.stage.damping + (size_t)k * joints : NULL;
         sum[n++] = checkpoint_hash(built ? built : chain->damping[k], joints * sizeof(double));
     }
@@ -922,7 +922,7 @@ static uint64_t chain_identity(const Sim *s)
     return checkpoint_hash(sum, sizeof sum);
 }
 
-/* Of several chains also how they lie and what joins them, which is in their states and in the case's text. */
+/* For several chains, also their places and joints, which are in their states and in the case's text. */
 uint64_t sim_identity(const Sim *s)
 {
     if (!s->together) return chain_identity(s);

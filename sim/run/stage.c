@@ -81,7 +81,7 @@ static const double NEAR = 1e-9; /* m: a joint this close before its place count
 
 /* ------------------------------------------------------------------------------------------- the first window */
 
-/* The tail: the first segment whose rear end is not behind the drum. */
+/* The tail: the first segment whose rear end has passed the drum. */
 static hawser_status first_segment(const Scene *scene, int *first, hawser_error *err)
 {
     *first = 0;
@@ -120,7 +120,7 @@ static const CableDef *cable_of(const Scene *scene, int segment)
     return &scene->def.cables[scene->def.pieces[scene->piece[segment]].cable];
 }
 
-/* The window's arrays for what is simulated now, and the drum on its tail. 0 if there is no memory. */
+/* Allocates the window's arrays for the simulated part, and sets the drum on its tail. 0 if there is no memory. */
 static int window_open(Stage *st, int first, int n)
 {
     Scene *const scene = &st->scene;
@@ -149,9 +149,9 @@ static Vec3 state_front(const double *y, int n, int i, double half)
     return v3_axpy(state_vector(y, n, STATE_P, i), half, quat_rotate(state_attitude(y, n, i), v3(1, 0, 0)));
 }
 
-/* Segment i of a state of n segments becomes what the winch holds: from its pose it moves on with the rope, and what
- * else it did dies out (RL16). A winch of set tension pulls and guides the front end of
- * segment i - 1 now as it did that of i, and has hauled in no more by that. */
+/* Makes segment i of a state of n segments the one that the winch holds: from its pose it moves on with the rope, and
+ * its other motion fades out (RL16). A winch of set tension now pulls and guides the front end of segment i - 1; its
+ * travel does not change by that. */
 static void ghost_take(Stage *st, const double *y, int n, int i, int global)
 {
     Winch *const w = st->scene.winch;
@@ -169,7 +169,7 @@ static void ghost_take(Stage *st, const double *y, int n, int i, int global)
                   state_vector(y, n, STATE_W, i));
 }
 
-/* Splits the scene's chain into the window and the whole that it comes from; y is the whole chain's. */
+/* Splits the scene's chain into the window and the whole; y is that of the whole chain. */
 static hawser_status window_first(Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
@@ -178,7 +178,7 @@ static hawser_status window_first(Stage *st, hawser_error *err)
     hawser_status status = first_segment(scene, &first, err);
     if (!status) status = last_segment(scene, first, &end, err);
     if (status) return status;
-    const int size = scene_state_size(scene) - STATE_SIZE * (total - end + first); /* the equipment's too */
+    const int size = scene_state_size(scene) - STATE_SIZE * (total - end + first); /* including that of the equipment */
     double *const y = aligned_array_new(size);
     st->whole = scene->chain;
     memset(&scene->chain, 0, sizeof scene->chain);
@@ -199,7 +199,7 @@ static hawser_status window_first(Stage *st, hawser_error *err)
 
 /* ------------------------------------------------------------------------------------------------------- life */
 
-/* The motion in space for the workspace of now. */
+/* Creates the motion in space for the present workspace. */
 static hawser_status spatial_new(Stage *st, hawser_error *err)
 {
     hawser_status status = newton_new(&st->newton, &st->scene, &st->options, err);
@@ -209,7 +209,7 @@ static hawser_status spatial_new(Stage *st, hawser_error *err)
     return status;
 }
 
-/* In the plane if the scene lies in one and the case lets it; in space otherwise. */
+/* Creates a planar motion if the scene is planar and the case allows it; otherwise one in space. */
 static hawser_status motion_new(Stage *st, hawser_error *err)
 {
     const Scene *const scene = &st->scene;
@@ -231,7 +231,7 @@ static hawser_status motion_new(Stage *st, hawser_error *err)
     return spatial_new(st, err);
 }
 
-/* From the state in space to the motion's, and the first candidates. */
+/* Converts the state in space to that of the motion, and finds the first candidates. */
 static hawser_status state_pack(Stage *st, hawser_error *err)
 {
     double *const y = aligned_array_new(st->motion->size);
@@ -281,7 +281,7 @@ void stage_free(Stage *st)
     memset(st, 0, sizeof *st);
 }
 
-/* ------------------------------------------------------------------------------------------- who comes, who goes */
+/* ------------------------------------------------------------------------------------------- joining, leaving */
 
 static Vec3 position_of(const Stage *st, int i) { return state_vector(st->y, st->scene.chain.n, STATE_P, i); }
 
@@ -294,7 +294,7 @@ static double free_length(const Stage *st)
     return v3_dot(v3_sub(position_of(st, 0), r->drum), r->direction);
 }
 
-/* The next segment's rear end would be off the drum (RL10). */
+/* Checks whether the next segment's rear end would be off the drum (RL10). */
 static int join_due(const Stage *st)
 {
     const Scene *const s = &st->scene;
@@ -302,14 +302,14 @@ static int join_due(const Stage *st)
     return free_length(st) >= s->chain.half[0] + 2 * st->whole.half[s->first - 1];
 }
 
-/* The drum has let the free end go (RL14). */
+/* Checks whether the drum has released the free end (RL14). */
 static int release_due(const Stage *st)
 {
     const Reel *const r = st->scene.reel;
     return r->present && r->last && !r->fixed && free_length(st) >= 3 * r->half;
 }
 
-/* The head's segment has its rear end at the winch or beyond (RL16). */
+/* Checks whether the head's segment has its rear end at the winch or beyond (RL16). */
 static int leave_due(const Stage *st)
 {
     const TakeIn *const take_in = &st->scene.winch->take_in;
@@ -320,7 +320,7 @@ static int leave_due(const Stage *st)
     return v3_dot(v3_sub(rear, take_in->place), st->scene.winch->direction) >= 0;
 }
 
-/* Tension of the cable where it leaves the drum, N: what slows the drum down and what turns it (RL11). */
+/* Tension of the cable where it leaves the drum, N: from the drum's resistance and inertia (RL11). */
 static double drum_tension(Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -330,8 +330,8 @@ static double drum_tension(Stage *st)
     return reel_look(scene->reel, &scene->chain, &ws->kin, &ws->joints, st->t).tension;
 }
 
-/* The row of a segment that joins behind the tail: it hangs on at the tension that the drum gave, and its attitude is
- * what the stretch of cable between drum and tail had there (RL10), (RL12). */
+/* Row of a segment that joins behind the tail: its joint opens by the tension that the drum gave, and its attitude is
+ * that of the cable between drum and tail at that place (RL10), (RL12). */
 static WindowMove join_move(Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -362,7 +362,7 @@ static WindowMove join_move(Stage *st)
 
 /* ---------------------------------------------------------------------------------------------- one event */
 
-/* How the state's vectors are mapped: the chain's rows and what follows them. */
+/* Mapping of the state's vectors: the chain's rows and the entries behind them. */
 typedef struct StageMap {
     WindowMove move;
     int extra;
@@ -374,7 +374,7 @@ static void stage_map(const void *user, int is_state, const double *from, double
     window_map(&map->move, map->extra, is_state, from, to);
 }
 
-/* Workspace and Newton matrix for the window of now; counters and what bending has left go on. */
+/* Renews workspace and Newton matrix for the present window; counters and the slips of bending are kept. */
 static hawser_status parts_renew(Stage *st, int joined, hawser_error *err)
 {
     if (!workspace_renew(&st->ws, &st->scene, joined)) return error_memory(err);
@@ -384,7 +384,7 @@ static hawser_status parts_renew(Stage *st, int joined, hawser_error *err)
     return status ? status : newton_renew(&st->newton, st->ws.equipment, err);
 }
 
-/* Everything follows the move: window, state, workspace, matrix, integrator. */
+/* Carries out a move: window, state, workspace, matrix, integrator. */
 static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *err)
 {
     const int size = st->motion->size;
@@ -407,13 +407,13 @@ static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *
     return status;
 }
 
-/* What was there before anything changes, the winch's ghost among it. */
+/* Stores what is needed before anything changes, including the winch's ghost. */
 static void event_begins(Stage *st)
 {
     if (st->balance) balance_leave(st->balance, st->motion, st->t, st->y);
 }
 
-/* What is due after a step, one thing after the other. */
+/* Carries out the moves that are due after a step, one by one. */
 hawser_status stage_settle(Stage *st, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -518,7 +518,7 @@ hawser_status stage_window(Stage *st, int first, int n, hawser_error *err)
     return spatial_new(st, err);
 }
 
-/* A command may have brought a scene that lies in a plane into space, or the state is from before that. */
+/* A command may have taken a planar scene to space; the state read may be from before or after that. */
 static hawser_status motion_again(Stage *st, int planar, hawser_error *err)
 {
     Plane plane;
@@ -535,7 +535,7 @@ static hawser_status motion_again(Stage *st, int planar, hawser_error *err)
     return status;
 }
 
-/* Whether what is there has another shape than what is to be read. */
+/* Checks whether the present window differs from the one to be read. */
 static int window_differs(const Stage *st, int first, int n, int reel)
 {
     const Scene *const scene = &st->scene;
@@ -605,7 +605,7 @@ hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, int beside, hawse
     return status;
 }
 
-/* An integrator to be read into. What sets it up may round the state, which is put back. */
+/* Creates an integrator to be read into. Its setup may round the state, which is restored. */
 static hawser_status steps_prepare(const Steps *s, double t, hawser_error *err)
 {
     const size_t bytes = (size_t)s->motion->size * sizeof *s->y;
@@ -644,7 +644,8 @@ hawser_status steps_ready(const Steps *s, double t, hawser_error *err)
 {
     const char *why;
     if (*s->integrator && !integrator_known(*s->integrator, &why)) return error_set(err, HAWSER_ERR_RUN, "%s", why);
-    /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
+    /* before its first step a motion uses the candidates of the last evaluation: both when saving and when loading they
+     * are those of the state */
     if (!*s->integrator) s->motion->ops->look(s->motion, t, s->y, 0);
     return HAWSER_OK;
 }
@@ -655,7 +656,7 @@ hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
     Steps steps = {st->motion, st->y, &st->integrator, &st->balance, &st->balance_s};
     hawser_status status = c->reading ? HAWSER_OK : steps_ready(&steps, st->t, err);
     if (!status) status = stage_state_checkpoint(c, st, 0, err);
-    steps.motion = st->motion; /* what was read may be of another one */
+    steps.motion = st->motion; /* the state read may have another motion */
     steps.y = st->y;
     if (!status) status = steps_checkpoint(c, &steps, st->t, 1, &ws, err);
     if (!status && !c->status) stability_checkpoint(c, &st->stability, st->scene.chain.n);

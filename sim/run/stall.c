@@ -6,7 +6,7 @@
 
 #include "core/vec3.h"
 
-/* Shares of a window's steps from which on something is what holds it up; and of the longest step that is allowed. */
+/* Shares of a window's steps from which on something is the cause of short steps; share of the longest allowed step. */
 static const double FAILS_MANY = 0.1, STRIDES_MANY = 0.5, LONGEST_NEAR = 0.8;
 static const double CRAWL = 1e-3;   /* of the longest window's mean step */
 static const double FOR_EVER = 1e8; /* steps to the end */
@@ -37,8 +37,8 @@ static int fastest_segment(const hawser_sample *sample)
     return fastest;
 }
 
-/* The contact that carries force and is nearest to a segment: a roller's surface within a few segments, or a surface
- * that the segment is along. "" without one. */
+/* The contact that carries force and is nearest to a segment: a roller within a few segments, or a surface along which
+ * the segment is. "" without one. */
 static void contact_at(const Scene *scene, const hawser_sample *sample, const hawser_roller *roller,
                        const hawser_surface *surface, int segment, char where[HAWSER_WHERE_MAX])
 {
@@ -71,7 +71,7 @@ static const char *cause_of(const hawser_hold *h, double longest)
     return longest > 0 && h->step_s > LONGEST_NEAR * longest ? "longest step" : "accuracy";
 }
 
-/* The cause in words. */
+/* Writes the cause as text. */
 static void cause_say(const hawser_hold *h, double longest, char *says, size_t size)
 {
     if (!strcmp(h->cause, "newton"))

@@ -10,11 +10,11 @@
 #include "sim/run/sample.h"
 #include "sim/solve/relax.h"
 
-/* A motion that grows so slowly beside its swing that a damping ratio of as much would hold it does not count: round
- * sections under a dead torque flutter at any load if nothing damps them. */
+/* A motion that grows so slowly that a damping ratio of this size would stop it does not count: rods of round section
+ * under a dead torque flutter at any load without damping. */
 static const double HELD = 0.01;
 
-enum { LOOKED_AT = 6 }; /* modes, where only they can tell */
+enum { LOOKED_AT = 6 }; /* number of modes, where only modes can decide */
 
 /* ------------------------------------------------------------------------------------------------- counting */
 
@@ -26,7 +26,7 @@ static double stability_radius(const Chain *chain)
     return length / 10;
 }
 
-/* Enough above rounding for the modes to tell it from a rigid motion. */
+/* Least value far enough above rounding to distinguish a mode from a rigid motion. */
 static double stability_least(const Chain *chain) { return 4 * modes_rounding(chain, stability_radius(chain)); }
 
 /* K of the stage's state without damping, in M - dt^2 K for the shift below which rounding decides (RD16). */
@@ -42,7 +42,7 @@ static hawser_status matrix_form(Stage *st, double *rate, hawser_error *err)
     return newton_renew(&st->newton, st->ws.equipment, err);
 }
 
-/* By the lowest modes: loads without a potential make motions that swing and grow (RD17). */
+/* Counts by the lowest modes: loads without a potential cause growing oscillations (RD17). */
 static hawser_status count_modes(Stage *st, int *unstable, int *swings, hawser_error *err)
 {
     Modes modes = {0};
@@ -62,8 +62,8 @@ static hawser_status count_modes(Stage *st, int *unstable, int *swings, hawser_e
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
 }
 
-/* How many independent motions grow from the stage's state as an equilibrium under the loads of its time, into
- * *unstable (-1: it cannot be said); *swings: none of them without swinging. Errors: MEMORY. */
+/* Counts the independent growing motions from the stage's state as an equilibrium under the loads of its time, into
+ * *unstable (-1: not known); *swings: all of them oscillate. Errors: MEMORY. */
 static hawser_status stability_count(Stage *st, int *unstable, int *swings, hawser_error *err)
 {
     *swings = 0;
@@ -78,7 +78,7 @@ static hawser_status stability_count(Stage *st, int *unstable, int *swings, haws
 
 /* ------------------------------------------------------------------------------------------------ the motion */
 
-/* The mass-weighted product of two motions [6 n] (M of the last matrix). */
+/* Mass-weighted product of two motions [6 n] (M of the last matrix). */
 static double product(const Newton *nw, const double *a, const double *b)
 {
     double sum = 0;
@@ -97,7 +97,7 @@ static void scale_by(int size, double scale, double *x)
     for (int k = 0; k < size; ++k) x[k] *= scale;
 }
 
-/* The largest turn 1 rad, but no shift beyond the rod's length. */
+/* Scales to a largest rotation of 1 rad, but to no displacement beyond the rod's length. */
 static void shape_scale(const Chain *chain, double *shape)
 {
     double turn = 0, move = 0, length = 0;
@@ -109,7 +109,7 @@ static void shape_scale(const Chain *chain, double *shape)
     scale_by(6 * chain->n, 1 / (fmax(turn, move / length) + 1e-300), shape);
 }
 
-/* The way of the positions from `from` to the state's, as a motion without turns. */
+/* Displacement of the positions from `from` to the state, as a motion without rotations. */
 static void way_of(const Stage *st, const double *from, double *way)
 {
     const int n = st->scene.chain.n;
@@ -119,8 +119,8 @@ static void way_of(const Stage *st, const double *from, double *way)
     }
 }
 
-/* shape = the sum of the first `count` modes that are no rigid motion, each by what the way has of it; the first alone
- * if it has nothing. */
+/* shape = the sum of the first `count` modes that are not rigid motions, each by its component of the displacement; the
+ * first alone if all components are zero. */
 static void shapes_add(const Stage *st, const Modes *modes, int count, const double *way, double *shape)
 {
     const int size = 6 * st->scene.chain.n;
@@ -149,10 +149,10 @@ static void fastest_take(const Modes *modes, int size, double *shape)
     memcpy(shape, modes->out[best].shape, (size_t)size * sizeof *shape);
 }
 
-/* The motion that grows first, beside its load: into shape [6 n] as a mode's, its largest turn 1 rad or its largest
- * shift the rod's length, whichever is less. Of `count` motions that become possible together (a round section bends
- * either way) that which has the sense of the way from `from` [n positions] to the stage's state. count 0: they swing,
- * and that which grows fastest is wanted. Errors: MEMORY, RUN. */
+/* The motion that grows first, beside its load: into shape [6 n] as a mode's, its largest rotation 1 rad or its largest
+ * displacement the rod's length, whichever is less. Of `count` motions that become possible together (a round section
+ * bends in any direction) the one in the direction from `from` [n positions] to the stage's state. count 0: they
+ * oscillate, and the fastest growing is returned. Errors: MEMORY, RUN. */
 static hawser_status stability_shape(Stage *st, int count, const double *from, double *shape, hawser_error *err)
 {
     Modes modes = {0};
@@ -172,7 +172,7 @@ static hawser_status stability_shape(Stage *st, int count, const double *from, d
     return status;
 }
 
-/* How much of the change of the loads from the stage's time to t pushes along that motion, 0 to 1 (RD18). Errors:
+/* Share of the change of the loads from the stage's time to t that acts along that motion, 0 to 1 (RD18). Errors:
  * MEMORY. */
 static hawser_status stability_push(Stage *st, double t, const double *shape, double *share, hawser_error *err)
 {
@@ -186,7 +186,7 @@ static hawser_status stability_push(Stage *st, double t, const double *shape, do
             const Vec3 moment = body_inertia_times(&st->scene.chain, &st->ws.kin, i, spin);
             v3_put(push + 6 * i, state_vector(rate, n, STATE_V, i));
             v3_put(push + 6 * i + 3,
-                   v3_scale(1 / st->newton.inertia[0][i], moment)); /* swollen, the same in all axes */
+                   v3_scale(1 / st->newton.inertia[0][i], moment)); /* increased inertia, equal about all axes */
         }
         const double both = product(&st->newton, push, push) * product(&st->newton, shape, shape);
         *share = both > 0 ? fabs(product(&st->newton, shape, push)) / sqrt(both) : 0;
@@ -197,7 +197,7 @@ static hawser_status stability_push(Stage *st, double t, const double *shape, do
     return there ? HAWSER_OK : error_memory(err);
 }
 
-/* Moves the stage's state along it by `size`. */
+/* Moves the stage's state along the motion by `size`. */
 static void stability_nudge(Stage *st, double size, const double *shape)
 {
     const int n = st->scene.chain.n;
@@ -210,9 +210,9 @@ static void stability_nudge(Stage *st, double size, const double *shape)
     }
 }
 
-/* ---------------------------------------------------------------------------------------------- what was found */
+/* ---------------------------------------------------------------------------------------------- results */
 
-/* Where along the rod the motion is largest, and whereto it goes there. */
+/* Place along the rod where the motion is largest, and its direction there. */
 static void largest_find(const Chain *chain, const double *shape, hawser_critical *out)
 {
     double from = 0, largest = 0;
@@ -227,7 +227,7 @@ static void largest_find(const Chain *chain, const double *shape, hawser_critica
     }
 }
 
-/* Adds a critical load; takes `shape`, which may be NULL. Errors: MEMORY (shape is freed). */
+/* Adds a critical load; takes ownership of `shape`, which may be NULL. Errors: MEMORY (shape is freed). */
 static hawser_status stability_add(Stage *st, hawser_critical found, double *shape, hawser_error *err)
 {
     Stability *const s = &st->stability;
@@ -248,7 +248,7 @@ static hawser_status stability_add(Stage *st, hawser_critical found, double *sha
     return HAWSER_OK;
 }
 
-/* Takes back the last one that was added. */
+/* Removes the last one that was added. */
 static void stability_take_back(Stage *st)
 {
     hawser_critical *const last = &st->stability.critical[--st->stability.n];
@@ -256,38 +256,38 @@ static void stability_take_back(Stage *st)
     last->shape = NULL;
 }
 
-/* A load step may become this many times smaller than was asked for. */
+/* Smallest load step, as a share of the requested one. */
 static const double SMALLEST = 1.0 / 1024;
 
-/* How far a step may turn any joint, so that no turn is lost; how many times Newton's first step it may go, if that is
- * more than a share of the rod's length or a turn worth naming (RD19). */
+/* Largest rotation of a joint per step, so that no full turn is lost; largest multiple of Newton's first step by which
+ * the state may move, if that exceeds a share of the rod's length or the rotation given here (RD19). */
 static const double JOINT_TURN = 1.5; /* rad */
 
 static const double ASTRAY = 2, WAY = 0.01, TURNED = 0.05; /* 1; 1; rad */
 
-enum { CRITICAL_MOST = 20 }; /* times that a way is followed where it stops being stable */
+enum { CRITICAL_MOST = 20 }; /* number of critical loads after which a path is not followed any more */
 
-enum { LOST_PARTS = 8 }; /* of a way that ends are led, in a row without an equilibrium, behind which it ends */
+enum { LOST_PARTS = 8 }; /* parts of the ends' prescribed motion in a row without an equilibrium, after which it ends */
 
-/* The step that stands for infinity in Newton's method (RD8). */
+/* The step that acts as infinity in Newton's method (RD8). */
 static const double DT_STATIC = 1e5; /* s */
 
-/* The shortest that is tried, as a share of the longest that rounding allows (RD23). */
+/* Shortest step that is tried, as a share of the longest that rounding allows (RD23). */
 static const double SHORTER = 0.01;
 
-/* A critical load is known when it is this share of the run away from a stable equilibrium; how far a state is nudged
- * along what grows, rad; what pushes along that motion by more than this is no bifurcation (RD18). */
+/* Accuracy of a critical load as a share of the run; size by which a state is moved along a growing motion, rad; share
+ * of the load along that motion above which it is no bifurcation (RD18). */
 enum { LOOKS = 400 }; /* at a bracket, at most */
 
 static const double CLOSE = 1e-6, NUDGE = 0.02, PUSHED = 1e-4;
 
-/* The way of the equilibria, from the stage's time on. */
+/* The path of the equilibria, from the stage's time on. */
 typedef struct Walk {
     Stage *st;
     StaticAim aim;
-    double *kept;          /* [motion->size] the last equilibrium, of the stage's time */
+    double *kept;          /* [motion->size] the last equilibrium, at the stage's time */
     double *below, *above; /* [motion->size] on both sides of a critical load */
-    double *there;         /* [motion->size] what Newton's method found at the end of the step */
+    double *there;         /* [motion->size] result of Newton's method at the end of the step */
     double *shape;         /* [6 n] */
     hawser_relaxation *out;
     hawser_error *err;
@@ -318,7 +318,7 @@ static void walk_end(Walk *w)
     free(w->shape);
 }
 
-/* The state becomes y. */
+/* Sets the state to y. */
 static hawser_status put_back(Walk *w, const double *y)
 {
     Stage *const st = w->st;
@@ -326,10 +326,9 @@ static hawser_status put_back(Walk *w, const double *y)
     return st->motion->ops->renew(st->motion, st->t, st->y, w->err);
 }
 
-/* Newton's method at time t from `from`, where the state is put back to if it does not get there. Where a motion is
- * free, a rod's about its own axis or a ring's inside out, a step that stands for infinity makes large moves of
- * rounding along it: shorter ones are tried, from the longest that rounding allows on, and kept where they help (RD23).
- */
+/* Newton's method at time t from `from`, to which the state returns if the method fails. Where a motion is free, e.g. a
+ * rod's about its own axis or a ring's inside out, a step that acts as infinity turns rounding errors into large moves
+ * along it: shorter steps are tried, from the longest that rounding allows on, and kept where they help (RD23). */
 static hawser_status attempt(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;
@@ -348,7 +347,8 @@ static hawser_status attempt(Walk *w, double t, const double *from)
     return w->out->reached ? HAWSER_OK : put_back(w, from);
 }
 
-/* What keeps its place only for as long as a step takes: the slow way, then Newton's method from where it ends. */
+/* For a state that keeps its place only during a finite step: the continuation in time, then Newton's method from its
+ * end. */
 static hawser_status slow_way(Walk *w, double t)
 {
     Stage *const st = w->st;
@@ -360,7 +360,7 @@ static hawser_status slow_way(Walk *w, double t)
     return attempt(w, t, w->below);
 }
 
-/* Down from the present state to a stable equilibrium under the loads of t; the state is put back to `from` if there is
+/* Descends from the present state to a stable equilibrium under the loads of t; the state returns to `from` if there is
  * none. */
 static hawser_status downhill(Walk *w, double t, const double *from)
 {
@@ -372,22 +372,23 @@ static hawser_status downhill(Walk *w, double t, const double *from)
     return status || w->out->reached ? status : put_back(w, from);
 }
 
-/* ------------------------------------------------------------------------------------------- what was followed */
+/* ------------------------------------------------------------------------------------------- same or other path */
 
 static Quat joint_turn(const double *y, int n, int j)
 {
     return quat_mul(quat_conj(state_attitude(y, n, j - 1)), state_attitude(y, n, j));
 }
 
-/* The rotation between two attitudes, rad, at most pi. */
+/* Rotation between two attitudes, rad, at most pi. */
 static double angle_between(Quat a, Quat b)
 {
     const Quat d = quat_mul(quat_conj(a), b);
     return 2 * atan2(sqrt(d.x * d.x + d.y * d.y + d.z * d.z), fabs(d.w));
 }
 
-/* Whether the state follows from the equilibrium `from`, or is another one that Newton's method came upon: no joint may
- * have turned so far that a turn could be lost, and nothing gone much farther than the first step said (RD19). */
+/* Checks whether the state continues the equilibrium `from` or is another one that Newton's method found: no joint may
+ * have rotated so far that a full turn could be lost, and nothing may have moved much farther than the first step
+ * (RD19). */
 static int follows(const Walk *w, const double *from)
 {
     const Stage *const st = w->st;
@@ -404,7 +405,7 @@ static int follows(const Walk *w, const double *from)
 
 /* ------------------------------------------------------------------------------------------------ critical loads */
 
-/* How many motions grow from the present state under the loads of t. */
+/* Number of growing motions from the present state under the loads of t. */
 static hawser_status count_at(Walk *w, double t, int *unstable, int *swings)
 {
     Stage *const st = w->st;
@@ -417,13 +418,13 @@ static hawser_status count_at(Walk *w, double t, int *unstable, int *swings)
 
 /* A critical load between two times. */
 typedef struct Bracket {
-    double from, to;     /* s: stable in `below`; not, or nothing found */
-    int before, after;   /* motions that grow there */
-    int swings, reached; /* in `above`: they flutter; it is an equilibrium */
+    double from, to;     /* s: stable in `below`; at `to` unstable, or no equilibrium found */
+    int before, after;   /* number of growing motions there */
+    int swings, reached; /* of `above`: they flutter; it is an equilibrium */
 } Bracket;
 
-/* The equilibrium of t from that in `below`: *stable if there is one that follows, from which no more motions grow than
- * before. Otherwise `above` and the bracket's upper end have it. */
+/* Finds the equilibrium of t from that in `below`: *stable if one follows from which no more motions grow than before.
+ * Otherwise it becomes `above` and the bracket's upper end. */
 static hawser_status bracket_look(Walk *w, double t, Bracket *b, int *stable)
 {
     int unstable = 0, swings = 0;
@@ -444,9 +445,9 @@ static hawser_status bracket_look(Walk *w, double t, Bracket *b, int *stable)
     return status;
 }
 
-/* Halves the bracket until it is close, and then looks once more at its upper end: from nearby a stable way may lead
- * past it, where Newton's method from far had come upon another equilibrium. Then the search goes on behind. *none: the
- * way leads to the very end, which is the state. */
+/* Halves the bracket until it is narrow, and then tries its upper end again: from nearby a stable path may lead past it
+ * where Newton's method from afar had found another equilibrium. The search then continues behind it. *none: the path
+ * leads to the very end, which is the state. */
 static hawser_status bracket_close(Walk *w, Bracket *b, int *none)
 {
     const double close = CLOSE * w->st->scene.def.duration;
@@ -470,7 +471,7 @@ static hawser_status bracket_close(Walk *w, Bracket *b, int *none)
     return status;
 }
 
-/* What grows at the critical load, and what kind of load it is; both are kept with it (RD18). */
+/* Records the growing motion at the critical load, and the kind of the load (RD18). */
 static hawser_status critical_keep(Walk *w, const Bracket *b)
 {
     Stage *const st = w->st;
@@ -504,7 +505,7 @@ static hawser_status critical_keep(Walk *w, const Bracket *b)
     return stability_add(st, found, shape, w->err);
 }
 
-/* A rod that stops being stable again and again is under loads that nothing could stand. */
+/* Stops at a rod that loses stability again and again: its loads cannot be carried. */
 static hawser_status critical_stop(const Walk *w, double t)
 {
     const Stability *const known = &w->st->stability;
@@ -516,7 +517,8 @@ static hawser_status critical_stop(const Walk *w, double t)
         t, known->n);
 }
 
-/* On to the loads of t on a stable way: from the last stable equilibrium, a little along what grows, down. */
+/* Moves on to the loads of t on a stable path: from the last stable equilibrium, a little along the growing motion,
+ * then down. */
 static hawser_status leave(Walk *w, double t, const Bracket *b)
 {
     Stage *const st = w->st;
@@ -527,8 +529,8 @@ static hawser_status leave(Walk *w, double t, const Bracket *b)
     return status;
 }
 
-/* More motions grow from the equilibrium at t, in the state, than from the last: the load between is found, and then
- * the run stays or goes on with what is stable. *unstable: of the state that it ends with. */
+/* Called when more motions grow from the equilibrium at t, in the state, than from the last: finds the load in between;
+ * then the run stays there or continues with a stable equilibrium. *unstable: of the final state. */
 static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
 {
     Stage *const st = w->st;
@@ -548,8 +550,8 @@ static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
     return status ? status : count_at(w, t, unstable, swings);
 }
 
-/* No equilibrium near that of the last load: it has come to a fold, or Newton's method fails there for another reason.
- * The stable one that lies below is looked for. */
+/* Called when there is no equilibrium near that of the last load: a fold, or a failure of Newton's method for another
+ * reason. Searches for the stable one that lies below. */
 static hawser_status fall(Walk *w, double t)
 {
     Stage *const st = w->st;
@@ -561,7 +563,7 @@ static hawser_status fall(Walk *w, double t)
     if (status || none) return status;
     hawser_error why = {0};
     hawser_error *const mine = w->err;
-    w->err = &why; /* what cannot be found about the motion does not end the run */
+    w->err = &why; /* a failure to find the motion does not end the run */
     status = critical_keep(w, &b);
     w->err = mine;
     if (status == HAWSER_ERR_MEMORY) return error_memory(mine);
@@ -592,7 +594,7 @@ static int looks_at_stability(const Stage *st)
     return analysis->kind != ANALYSIS_DYNAMICS && analysis->stability != STABILITY_IGNORE;
 }
 
-/* The equilibrium in the state is that of t. */
+/* Makes the equilibrium in the state that of t. */
 static hawser_status arrive(Walk *w, double t, int unstable, int swings)
 {
     Stage *const st = w->st;
@@ -605,7 +607,7 @@ static hawser_status arrive(Walk *w, double t, int unstable, int swings)
     return st->motion->ops->accept(st->motion, t, st->y, w->err);
 }
 
-/* The equilibrium of t has been found in the state: whether it is stable, and what follows from that. */
+/* Decides whether the equilibrium of t in the state is stable, and acts accordingly. */
 static hawser_status judge(Walk *w, double t)
 {
     int unstable = -1, swings = 0;
@@ -618,7 +620,7 @@ static hawser_status judge(Walk *w, double t)
     return status ? status : arrive(w, t, unstable, swings);
 }
 
-/* Steps are halved where Newton's method does not converge or does not follow, and grow again behind. */
+/* Halves steps where Newton's method does not converge or leaves the path; they grow again afterwards. */
 static hawser_status steps(Walk *w, double target)
 {
     Stage *const st = w->st;
@@ -656,7 +658,7 @@ hawser_status statics_advance(Stage *st, double target, hawser_relaxation *out, 
 
 /* ---------------------------------------------------------------------------------------------- the first of all */
 
-/* The equilibrium at the stage's time where it is not stable: a stable one instead, if that is wanted. */
+/* Replaces an unstable equilibrium at the stage's time by a stable one, if required. */
 static hawser_status settle_stably(Walk *w)
 {
     Stage *const st = w->st;
@@ -674,8 +676,8 @@ static hawser_status settle_stably(Walk *w)
     return status ? status : arrive(w, st->t, unstable, swings);
 }
 
-/* Ends that are led a long way round at the stage's time already are led there in parts; no farther once several parts
- * in a row have no equilibrium: each would take all that solver.relax_iterations allows. */
+/* Ends whose prescribed motion is large at the stage's time already are led there in parts; it stops when several parts
+ * in a row have no equilibrium, since each would use all of solver.relax_iterations. */
 static hawser_status settle_led(Walk *w)
 {
     Stage *const st = w->st;
@@ -692,7 +694,7 @@ static hawser_status settle_led(Walk *w)
     }
     rod->lag = 0;
     if (status || w->out->reached) return status;
-    w->out->moved_m = 0; /* a rod without equilibrium stays where the case has put it */
+    w->out->moved_m = 0; /* a rod without equilibrium stays where the case places it */
     return put_back(w, w->kept);
 }
 

@@ -9,37 +9,37 @@
 #include "sim/equipment/winch.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
-static const double BOOKS = 3; /* of what the books of a mean leave open (EB2) */
+static const double BOOKS = 3; /* of the residual of the balances, in a mean (EB2) */
 
-static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of what a figure wavers while a segment passes (EB1) */
+static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of a figure's variation while a segment passes (EB1) */
 
-static const double STANDS = 0.1; /* of a segment: if less passes, nothing of it is seen (EB9) */
+static const double STANDS = 0.1; /* of a segment: if less passes, the variation is not visible (EB9) */
 
-static const double ROUGH = 0.27; /* of second differences, before a peak of a cable that began anywhere (EB12) */
+static const double ROUGH = 0.27; /* of second differences, before a peak of a cable that began at any place (EB12) */
 
-static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
+static const double EVERYWHERE = 0.25; /* of that, if only surfaces bear the cable (EB1) */
 
-static const double PARTLY = 0.5; /* where rollers and surfaces do */
+static const double PARTLY = 0.5; /* if rollers and surfaces do */
 
-static const double MESH = 5e-4; /* of any figure, which no support shows */
+static const double MESH = 5e-4; /* of any figure, independent of the supports */
 
-static const double SLACK = 0.065; /* rad, by which a segment hangs off the line at most (EB15) */
+static const double SLACK = 0.065; /* rad, largest angle of a segment from the line (EB15) */
 
-static const double SIDEWAYS = 0.1; /* of what rollers that spin would hold (EB13) */
+static const double SIDEWAYS = 0.1; /* of the hold of rollers that spin (EB13) */
 
-static const double LEVEL = 1e-3; /* of a bend: what is less to the side is none */
+static const double LEVEL = 1e-3; /* of a bend: a smaller lateral part counts as zero */
 
-static const double ENDS = 0.2; /* of a segment, whose weight a clamp carries and no surface */
+static const double ENDS = 0.2; /* of a segment, whose weight a clamp bears instead of a surface */
 
-static const double JERK = 0.03; /* of what a peak stands above the mean (EB21) */
+static const double JERK = 0.03; /* of the excess of a peak over the mean (EB21) */
 
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 
-static const double TOLERANCES = 3; /* of a step, that a peak may be off by */
+static const double TOLERANCES = 3; /* of a step: possible error of a peak */
 
-static const double BOWED = 0.01; /* of the pull, that a snaking or coiled cable may lie in several ways (EB34) */
+static const double BOWED = 0.01; /* of the pull: a snaking or coiled cable has several possible shapes (EB34) */
 
-/* What friction lacks at a speed, of what is there (EB5). */
+/* Part of friction that is missing at a speed, over the present one (EB5). */
 static double friction_missing(const FrictionLaw *law, double speed)
 {
     double slope;
@@ -49,7 +49,8 @@ static double friction_missing(const FrictionLaw *law, double speed)
     return there > 0 ? fabs(law->mu_d / there - 1) : 0;
 }
 
-/* What no finer mesh and no shorter step changes: friction's law over speed, and how a pushed cable lies. */
+/* Part that no finer mesh and no shorter step changes: friction's law over speed, and the shape of a cable in
+ * compression. */
 static double friction_share(const Scene *scene)
 {
     double worst = 0;
@@ -60,26 +61,26 @@ static double friction_share(const Scene *scene)
     return scene->bowed ? worst + BOWED : worst;
 }
 
-/* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N
- * of the pull (EB13). */
+/* Part of the pull, N, that a load of 1 N on the r-th roller takes from those beside the cable once it does not creep
+ * across it any more (EB13). */
 static double held_sideways(const Scene *scene, int r)
 {
     const RollerDef *const roller = &scene->def.rollers[r];
     const FrictionLaw *const law = &roller->friction;
     if (!(roller->spin.inertia > 0) || friction_kind(law) != FRICTION_SPEED || !(roller->s >= 0)) return 0;
     const Vec3 bends = route_at(&scene->route, roller->s).curvature, g = scene->def.gravity;
-    const double across = v3_norm(v3_cross(bends, g)); /* of a bend in a slope, the part to the side */
+    const double across = v3_norm(v3_cross(bends, g)); /* lateral part of a bend in a slope */
     if (!(across > LEVEL * v3_norm(bends) * v3_norm(g))) return 0;
-    double rubs = 0; /* what holds it sideways when the roller does not */
+    double rubs = 0; /* holds it sideways if the roller does not */
     for (int k = 0; k < scene->def.n_rollers; ++k)
         if (!(scene->def.rollers[k].spin.inertia > 0)) rubs = fmax(rubs, scene->def.rollers[k].friction.mu_d);
     return SIDEWAYS * law->mu_d * rubs;
 }
 
-/* N m/rad, the softer way. */
+/* N m/rad, in the softer direction. */
 static double joint_bends(const Chain *chain, int j) { return fmin(chain->stiffness[4][j], chain->stiffness[5][j]); }
 
-/* What a peak owes to the length that hung slack, which nobody knows better than the mesh does; travel: of the winch up
+/* Part of a peak due to the length that was slack, which is known no better than by the mesh; travel: of the winch up
  * to then, m; rest: the pull at first, N (EB15). */
 static double slack_share(const Scene *scene, double travel, double rest)
 {
@@ -96,7 +97,8 @@ static double slack_share(const Scene *scene, double travel, double rest)
     return fmin(1, most / travel);
 }
 
-/* By how much friction at rest stands above that of sliding, of what slides; and the speed where it has fallen. */
+/* Excess of friction at rest over sliding friction, relative to the latter; and the speed at which it has fallen
+ * off. */
 static void friction_falls(const FrictionLaw *law, ErrorShares *shares)
 {
     if (friction_kind(law) == FRICTION_NONE || !(law->mu_d > 0)) return;
@@ -104,7 +106,7 @@ static void friction_falls(const FrictionLaw *law, ErrorShares *shares)
     shares->falls_until = fmax(shares->falls_until, law->v_d);
 }
 
-/* Largest coefficient of sliding friction on what carries the cable. */
+/* Largest coefficient of sliding friction of the supports. */
 static double friction_most(const Scene *scene)
 {
     double most = 0;
@@ -118,12 +120,12 @@ static double clamp_carries(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     const ChainPieceDef *const head =
-        &def->pieces[def->n_pieces - 1]; /* a winch's drum moves with it, and is no weight */
+        &def->pieces[def->n_pieces - 1]; /* a winch's drum moves with it but has no weight */
     if (def->n_surfaces == 0 || !scene->winch->present || def->winch.axial_only) return 0;
     return ENDS * def->cables[head->cable].mass * head->length / head->segments * v3_norm(def->gravity);
 }
 
-/* Of the pull: the clamp (EB3), and what the places of the route ask of segments (ME1)-(ME7). */
+/* Share of the pull: the clamp (EB3), and the segment lengths that places of the route require (ME1)-(ME7). */
 static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
 {
     int worst;
@@ -131,7 +133,7 @@ static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
     return MESH + clamp + mesh_given(mesh, &scene->def, pull, &worst);
 }
 
-/* What of a figure's wavering is the mesh's: rollers make it so, surfaces do not (EB1). */
+/* Share of a figure's variation that is due to the mesh: rollers cause it, surfaces do not (EB1). */
 static double waver_share(const Scene *scene)
 {
     if (scene->contact.n_rollers == 0) return EVERYWHERE;
@@ -157,8 +159,9 @@ static hawser_error_bar bar(double time, double mesh, double friction)
     return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
 }
 
-/* What a figure wavers by while a segment passes; a cable that stands still shows nothing of it. If less has passed
- * than that: what was seen of it, in a straight line over a segment, or what rollers may do, if that is more (EB9). */
+/* Variation of a figure while a segment passes; a cable that stands still does not show it. If less has passed: the
+ * variation so far, extrapolated as a straight line over a segment, or the possible effect of rollers if that is more
+ * (EB9). */
 static double waver(const TimeMean *figure, const ErrorShares *shares)
 {
     if (figure->blocks > 0) return shares->waver * mean_waver(figure);
@@ -167,7 +170,7 @@ static double waver(const TimeMean *figure, const ErrorShares *shares)
     return shares->passed < STANDS ? fmax(seen, shares->still) : seen;
 }
 
-/* Of the mean over the steady window; of the largest value of the run. */
+/* Error bound of the mean over the steady window; of the largest value of the run. */
 static hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares)
 {
     const double size = fabs(mean_of(figure)), wavers = WAVER_OF_MEAN * waver(figure, shares);
@@ -213,9 +216,9 @@ static hawser_surface surface_row(const SceneDef *scene, const SurfaceDef *def)
     return row;
 }
 
-enum { WATCHED = 2 }; /* the pull and the largest tension stand before stations and rollers */
+enum { WATCHED = 2 }; /* the pull and the largest tension come before stations and rollers */
 
-/* What is watched, by number. */
+/* Recorded value by number. */
 static TimeMean *watched(Stats *stats, int k)
 {
     const int station = k - WATCHED, roller = station - stats->n_stations;
@@ -280,7 +283,8 @@ void stats_free(Stats *stats)
     memset(stats, 0, sizeof *stats);
 }
 
-/* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
+/* Place of the joint: the mean of the two facing ends differs from the end of the segment before it by less than the
+ * gap. */
 static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
 {
     const int i = j > 0 ? j - 1 : 0;
@@ -290,8 +294,8 @@ static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
     return v3_axpy(p, side * chain->half[i], a);
 }
 
-/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. Where it would be if nothing
- * stretched is a good guess. */
+/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. The place without stretch is the
+ * first guess. */
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j)
 {
     const double guess = scene->joint_s[scene->first + j] + travel;
@@ -396,8 +400,8 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* Force along the cable by which the places of joints may push it on or hold it back at the rollers as they are loaded
- * now, N: with the joints all in step (EB9), and *here: as they lie (EB11). */
+/* Force along the cable, N, by which the places of joints over rollers may push it on or hold it back with the present
+ * loads: with all joints in step (EB9), and *here: at their places (EB11). */
 static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double *here)
 {
     const Chain *const chain = &scene->chain;
@@ -408,8 +412,8 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
         const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = roller_def_span(&scene->def, r);
-        const int held = j > 0 ? j : 1; /* the tail's joint may be a free end, its neighbour bends as the cable does */
-        const double bends = fmin(chain->stiffness[4][held], chain->stiffness[5][held]); /* the softer way */
+        const int held = j > 0 ? j : 1; /* the tail's joint may be a free end; its neighbour bends as the cable does */
+        const double bends = fmin(chain->stiffness[4][held], chain->stiffness[5][held]); /* in the softer direction */
         const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
         const double force = load / 2 * fmin(load / sqrt(stiff * (stiff + 4 * bends / h)), 1);
         sum += force;
@@ -426,9 +430,9 @@ static double slowest(const Scene *scene, const hawser_sample *sample)
     return least;
 }
 
-static const double EVENLY = 0.1; /* of the winch's speed, that it changes by at most while a pull rises (EB26) */
+static const double EVENLY = 0.1; /* of the winch's speed: largest change while a pull rises (EB26) */
 
-/* Whether the winch draws as fast at b as at a, s: what rises between is none of the start's (EB26). */
+/* Checks whether the winch is as fast at b as at a, s: a rise in between is not due to the start (EB26). */
 static int is_drawn_evenly(const Scene *scene, double a, double b)
 {
     const Profile *const speed = &scene->def.winch.speed;
@@ -437,7 +441,7 @@ static int is_drawn_evenly(const Scene *scene, double a, double b)
     return to > 0 && fabs(to - from) <= EVENLY * to;
 }
 
-/* N, by which the tension rises over the segment that the winch's clamp holds, if rollers press on it there (EB31). */
+/* Rise of the tension over the segment that the winch's clamp holds, N, if rollers press on it (EB31). */
 static double behind_the_clamp(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const int n = scene->chain.n;
@@ -452,7 +456,7 @@ static double behind_the_clamp(const Scene *scene, const Kinematics *kin, const 
     return pressed ? fmax(0, sample->winch_force - sample->tension[scene->first + n - 1]) : 0;
 }
 
-/* What is asked of a peak besides its size. */
+/* Records the data of a peak besides its size. */
 static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     double here;
@@ -468,9 +472,9 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->met = sample->t > stats->steady_from || is_drawn_evenly(scene, stats->swings.risen_at, sample->t);
 }
 
-/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
- * estimated what would come. */
-enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
+/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended its
+ * result is estimated. */
+enum { BLOCK_LEAST = 4 }; /* least number of samples for a deviation */
 
 static void blocks_end(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
@@ -518,11 +522,11 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
 
 /* ------------------------------------------------------------------------------------------ peaks between samples */
 
-/* Above the largest value so far, above which another look is worth it: shares of that, and of the largest of its kind.
- */
+/* Excess over the largest value so far above which another look is made: shares of that, and of the largest of its
+ * kind. */
 static const double NEW_PULL = 1e-3, NEW_OTHER = 1e-2, NEW_OF_ALL = 1e-3;
 
-/* Values of the last step: NAN where there is none. */
+/* Values of the last step; NAN where there is none. */
 static void step_values(const Stats *stats, const Scene *scene, double pull, const double *tension,
                         const Vec3 *on_roller, double *value)
 {
@@ -543,7 +547,7 @@ int stats_step(Stats *stats, const Scene *scene, double t, double pull, const do
     double *const before = stats->now, *const now = stats->before, load = 0;
     const int n = watched_count(stats), first_roller = n - stats->n_rollers;
     int due = 0;
-    const int shared = scene->def.strand.present && !scene->winch->present; /* heads on one rope jostle */
+    const int shared = scene->def.strand.present && !scene->winch->present; /* heads on one rope collide */
     if (!shared) swings_step(&stats->swings, scene, t, pull);
     mean_add(&stats->stepped, pull, t - stats->step_t, stats->step_t >= stats->steady_from - 1e-9);
     stats->step_t = t;
@@ -560,7 +564,7 @@ int stats_step(Stats *stats, const Scene *scene, double t, double pull, const do
     return due;
 }
 
-/* All at once, each with the lower of its two steps' values. */
+/* Raises all at once, each to the lower of its two steps' values. */
 double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double pull = stats->pull.peak;
@@ -589,9 +593,10 @@ void stats_raise(Stats *stats, const hawser_sample *sample)
     }
 }
 
-static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
+static const double NO_TENSION = 1e-6; /* N: a tension of theory below this is rounding, and its error is not
+                                        * reported */
 
-/* Largest and mean error of the stations against one of the two theories, %. */
+/* Largest and mean error of the stations relative to one of the two theories, %. */
 static void errors_of(const Stats *stats, int paper, double *largest, double *mean)
 {
     int count = 0;
@@ -614,21 +619,21 @@ void stats_summary(const Stats *stats, hawser_summary *out)
     out->pull_peak_N = stats->pull.peak;
     out->pull_ripple_N = mean_ripple(&stats->pull);
     out->steady_speed_m_per_s = mean_of(&stats->speed);
-    out->settle_time_s = stats->settled_at < stats->last_t ? stats->settled_at : NAN; /* it still swings */
+    out->settle_time_s = stats->settled_at < stats->last_t ? stats->settled_at : NAN; /* it still varies */
     out->steady_from_s = stats->steady_from;
     out->steady_to_s = stats->last_t > stats->steady_from ? stats->last_t : NAN; /* the window was not reached */
     errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
     errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
 }
 
-/* What a joint takes from one roller it gives to the next: loads have wider bars than tensions (EB7). */
+/* A joint moves load from one roller to the next: loads have wider bounds than tensions (EB7). */
 static const double STEADY_LOADS = 3, PEAK_LOADS = 2;
 
-/* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load a metre (EB8).
- */
+/* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load per metre
+ * (EB8). */
 static const double LINE_LOADS = 1;
 
-/* N of the pull that rollers which spin take off those beside the cable if friction comes in at once (EB13). */
+/* Part of the pull, N, that spinning rollers take off those beside the cable if friction develops at once (EB13). */
 static double sideways(const Stats *stats, const Scene *scene)
 {
     double sum = 0;
@@ -636,8 +641,9 @@ static double sideways(const Stats *stats, const Scene *scene)
     return sum;
 }
 
-/* N of the largest pull: what it rose by while a wave runs through a segment and back, the longest of the chain's: one
- * along the cable, or where the winch draws evenly and something is met that pushes it aside, one across it (EB26). */
+/* Part of the largest pull, N: its rise while a wave runs through a segment and back, for the longest such time in the
+ * chain: a wave along the cable, or, where the winch is even and the cable meets something that pushes it to the side,
+ * one across it (EB26). */
 static double blow_of(const Stats *stats, const SceneDef *def)
 {
     double longest = 0; /* s */
@@ -650,9 +656,9 @@ static double blow_of(const Stats *stats, const SceneDef *def)
     return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
 }
 
-static const double STEPPED = 0.99; /* of the window, that steps have to be of for them to say what rows miss */
+static const double STEPPED = 0.99; /* of the window: steps must cover it to show what rows miss */
 
-/* N, by which the mean pull of the rows is off that of the steps between them (EB33). */
+/* Difference of the mean pull of the rows from that of the steps between them, N (EB33). */
 static double rows_miss(const Stats *stats)
 {
     const int known = stats->stepped.time > STEPPED * stats->pull.time && stats->pull.time > 0;
@@ -674,8 +680,8 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
     shares->missed = shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start =
-        shares->faded = shares->blow = 0;         /* of the pull alone */
-    for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
+        shares->faded = shares->blow = 0;         /* for the pull alone */
+    for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure is proportional to the tension there */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);
         row->line_load_error = row->line_load_N_per_m * (LINE_LOADS + tension);
@@ -685,7 +691,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
         s->mean_error_N = error_of_mean(&stats->station[i], shares).total;
         s->peak_error_N = error_of_peak(&stats->station[i], shares).total;
     }
-    shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
+    shares->still = shares->breaks_loose = 0; /* these act on the cable, not on a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
         row->steady_error_N = STEADY_LOADS * error_of_mean(&stats->roller[r].load, shares).total;

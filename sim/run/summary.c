@@ -1,4 +1,4 @@
-/* What a simulation says of itself: the summary with its error bars and conditions of trust, limits and tables. */
+/* Results of a simulation: the summary with its error bounds and conditions of trust, limits and tables. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->error_test_fails = i.error_fails;
     out->newton_fails = i.newton_fails;
     const double other = i.rhs + i.jacobian + i.factor + i.solve, balance = s->stage.balance_s;
-    /* those of a relaxation are counted there */
+    /* that of a relaxation is included in both */
     const double contacts = fmin(dynamics_contact_seconds(&s->stage.ws), i.rhs);
     out->phases = (hawser_phases){.rhs = i.rhs - contacts,
                                   .contacts = contacts,
@@ -46,18 +46,18 @@ static int came_to_rest(const Sim *s) { return s->stage.scene.def.solver.relax &
 
 double sim_jolt(const Sim *s) { return steadiness_jolt(&s->steadiness, came_to_rest(s)); }
 
-/* What the error bars of the summary's figures share. */
+/* Shares common to the error bounds of the summary's figures. */
 static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 {
     const Scene *const scene = &s->stage.scene;
-    /* the books of several chains are kept by the first, and what they leave open is a share of each one's pull */
+    /* the first of several chains keeps the balances, whose residual is a share of each one's pull */
     const Sim *const keeper = s->leader ? s->leader : s;
     const int kept = s->leader ? keeper->stage.balance != NULL : out->balance != NULL;
     const BalanceWindow books = kept ? balance_window(keeper->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
         error_shares(scene, &s->mesh, kept ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
-    shares.time += s->quasi.said.apart; /* what positions leave out (QS8) */
+    shares.time += s->quasi.said.apart; /* error of positions (QS8) */
     shares.step += s->quasi.said.apart + s->quasi.said.swing;
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
@@ -65,7 +65,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
-/* Whether equilibria of loads that come in by steps are found, whose stability is counted. */
+/* Checks whether equilibria are found by load steps and their stability is counted. */
 static int is_stepped(const Scene *scene)
 {
     return scene->def.analysis.kind == ANALYSIS_STATIC || scene->def.analysis.kind == ANALYSIS_MODES;
@@ -73,7 +73,7 @@ static int is_stepped(const Scene *scene)
 
 static void figures_fill(const Sim *s, hawser_summary *out);
 
-/* What the meshes of the cables that a rope draws make of their pulls, it pulls too (SC17). */
+/* Adds the mesh errors of the pulls of the cables that a rope pulls (SC17). */
 static void drawn_errors_add(const Sim *rope, hawser_summary *out)
 {
     const struct Together *const all = together_of(rope);
@@ -90,7 +90,7 @@ static void drawn_errors_add(const Sim *rope, hawser_summary *out)
     }
 }
 
-/* All of the summary but the conditions. */
+/* Fills in the summary without the conditions. */
 static void figures_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes", "positions"};
@@ -153,12 +153,12 @@ static void figures_fill(const Sim *s, hawser_summary *out)
         s->stats.roller_out[r].peak_error_N += quasi_peak_error(&s->quasi, r, s->stats.roller_out[r].peak_N);
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
     if (scene->def.strand.rope) drawn_errors_add(s, out);
-    /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
+    /* theory's tensions along the route are those of a cable, not of a rope that pulls others behind it */
     if (scene->def.strand.rope)
         out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;
 }
 
-/* What all chains press rollers with is as uncertain as what each does; the first one's table is up to date. */
+/* The load of a roller by all chains has the sum of their errors; the first one's table is up to date. */
 static void borne_errors_add(struct Together *all)
 {
     Borne *const sum = &all->borne;
@@ -176,7 +176,8 @@ static void borne_errors_add(struct Together *all)
     }
 }
 
-/* With what the case does not give at its unfavourable end; where theory cannot tell, what it touches is not judged. */
+/* Judges with values that the case does not give at their unfavourable end; what depends on them is not judged where
+ * theory has no solution. */
 static void assumed_add(const Sim *s, int n, hawser_limit *limit)
 {
     hawser_error err;
@@ -185,7 +186,7 @@ static void assumed_add(const Sim *s, int n, hawser_limit *limit)
     for (int i = 0; i < n; ++i) {
         if (!limits_is(limit[i].kind, LIMIT_ESSENTIAL)) continue;
         limit[i].judged = limit[i].ok = 0;
-        snprintf(limit[i].source, sizeof limit[i].source, "theory cannot vary what is assumed: %.120s", err.message);
+        snprintf(limit[i].source, sizeof limit[i].source, "theory fails for assumed values: %.120s", err.message);
     }
 }
 

@@ -8,15 +8,15 @@
 #include "sim/equipment/winch.h"
 #include "sim/run/modes.h"
 
-/* The scene with one parameter less and more. */
+/* The scene with one parameter smaller and larger. */
 typedef struct Pair {
     Stage less, more;
-    double half;           /* of the difference between them */
+    double half;           /* half the difference of the parameter */
     double *now, *before;  /* [size] dy/dp at the last two steps */
     double *slope, *rates; /* [figures] at the last step; [size] scratch */
 } Pair;
 
-/* s, at most: the step that stands for infinity in the matrix of an equilibrium (RD8), (RD23). */
+/* s, at most: the step that acts as infinity in the matrix of an equilibrium (RD8), (RD23). */
 static const double LONG = 1e5;
 
 struct Tangent {
@@ -29,7 +29,8 @@ struct Tangent {
     TangentFigures figures;
 };
 
-/* What keeps something from step to step beside (t, y), or changes the state's length: NULL, or its name. */
+/* Part of the scene that keeps data from step to step beside (t, y), or changes the state's length: its name, or
+ * NULL. */
 static const char *tangent_unknown(const Stage *st)
 {
     const Scene *const s = &st->scene;
@@ -50,7 +51,7 @@ static const char *tangent_unknown(const Stage *st)
 
 /* ---------------------------------------------------------------------------------------------------------- figures */
 
-/* Zeros for a stage's scene; 0 without memory: free it either way. */
+/* Zeroed figures for a stage's scene; 0 without memory: free it either way. */
 static int tangent_figures_make(const Stage *st, int parameters, TangentFigures *f)
 {
     *f = (TangentFigures){.stations = st->scene.def.n_stations, .rollers = st->scene.def.n_rollers};
@@ -91,7 +92,7 @@ static int tangent_nearest(const Stage *st, const double *y, Vec3 at)
     return nearest;
 }
 
-/* Which segments pass the stations in y; the figures [f->n] of (t, y). */
+/* Finds the segments that pass the stations in y; the figures [f->n] of (t, y). */
 static void tangent_stations_find(const Stage *st, const double *y, TangentFigures *f)
 {
     for (int i = 0; i < f->stations; ++i)
@@ -177,7 +178,7 @@ Tangent *tangent_free(Tangent *g)
 
 /* ------------------------------------------------------------------------------------------------------- the start */
 
-/* Of the search for rest, (E1): rates and blocks without friction. 0, or other than 0 if not finite. */
+/* Rates and blocks without friction, as in the search for equilibrium (E1). 0, or nonzero if not finite. */
 static int rest_rates(Stage *st, double t, const double *y, double *rates)
 {
     if (st->motion == &st->planar.motion) return planar_evaluate(&st->planar, t, y, 0, rates);
@@ -196,8 +197,8 @@ static void rest_linearise(Stage *st, double t, const double *y, const double *r
     newton_point_equipment(&st->newton, st->ws.equipment, y, 0);
 }
 
-/* How many entries of y are places and attitudes of the chain: they come first, its speeds behind them. *speeds: how
- * many those are. */
+/* Number of entries of y that are places and attitudes of the chain: they come first, its speeds behind them. *speeds:
+ * number of those. */
 static size_t places(const Stage *st, size_t *speeds)
 {
     const int planar = st->motion == &st->planar.motion;
@@ -207,7 +208,7 @@ static size_t places(const Stage *st, size_t *speeds)
     return from * pitch;
 }
 
-/* gamma f_p at rest, which may be of any size: both scenes without friction, with contacts of there. */
+/* gamma f_p at equilibrium, of any size: both scenes without friction, with the contacts found there. */
 static hawser_status rest_pushes(Tangent *g, Pair *p, double t, const double *rest, double gamma, double *b,
                                  hawser_error *err)
 {
@@ -220,15 +221,15 @@ static hawser_status rest_pushes(Tangent *g, Pair *p, double t, const double *re
     return HAWSER_OK;
 }
 
-/* What linsolver_factor says of a step's matrix, told. */
+/* Converts the result of linsolver_factor for a step's matrix to an error. */
 static hawser_status solver_failed(int bad, double t, hawser_error *err)
 {
     if (bad < 0) return error_memory(err);
     return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
 }
 
-/* dy/dp of the equilibrium that the run begins from, (SN13): one solution with the statics' matrix for each parameter.
- * Only places follow from it. */
+/* dy/dp of the equilibrium from which the run begins (SN13): one solution with the statics' matrix for each parameter.
+ * Only places depend on it. */
 static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawser_error *err)
 {
     Motion *const m = g->base.motion;
@@ -257,7 +258,7 @@ static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawse
     return status ? status : m->ops->renew(m, t, y, err);
 }
 
-/* dy/dp where the run begins: as the chain is laid and launched, and of an equilibrium what moves that. */
+/* dy/dp at the run's beginning: of the initial shape and speeds, and of the equilibrium. */
 static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_error *err)
 {
     for (int k = 0; k < g->n; ++k) {
@@ -267,10 +268,9 @@ static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_
     return g->base.scene.def.solver.relax ? relaxed_slopes(g, t, y, err) : HAWSER_OK;
 }
 
-/* --------------------------------------------------------------------------------------------------------- the steps
- */
+/* -------------------------------------------------------------------------------------------------------- the steps */
 
-/* Its rates at (t, y), with contact candidates of there. */
+/* Rates at (t, y), with the contact candidates found there. */
 static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)
 {
     const MotionOps *const ops = st->motion->ops;
@@ -311,7 +311,7 @@ static void pair_look(Tangent *g, Pair *p, double t, const double *y)
     for (int i = 0; i < g->figures.n; ++i) p->slope[i] = (g->look[1][i] - g->look[0][i]) / (2 * p->half);
 }
 
-/* Means over time: each step's figures for its own length. */
+/* Adds to the means over time: each step's figures, weighted by its length. */
 static void figures_take(Tangent *g, double t, const double *y)
 {
     TangentFigures *const f = &g->figures;
@@ -360,11 +360,11 @@ const double *tangent_slope(const Tangent *g, int k) { return g->pair[k].now; }
 /* Derivatives of a steady position's figures by any number of parameters, with the transposed matrix of the forces.
  * docs/model/92-sensitivities.md, "Changes of a position". */
 
-/* How far a segment is moved (m) and turned (rad) to see what a figure makes of it: tensions are all but linear and of
- * a stiff cable, loads of rollers curved. */
+/* Size by which a segment is moved (m) and rotated (rad) for the derivatives of figures: tensions are almost linear,
+ * also with a stiff cable, loads of rollers are curved. */
 static const double FOR_TENSION[2] = {1e-4, 1e-4}, FOR_LOAD[2] = {4e-7, 1e-6};
 
-/* Every so many-th segment is moved at once: what a figure makes of it comes from the one that is nearest to it. */
+/* Every APART-th segment is moved at once: a change of a figure is due to the one nearest to it. */
 enum { APART = 64 };
 
 struct Position {
@@ -374,11 +374,11 @@ struct Position {
     int *at;                       /* [figures] the segment nearest to each */
     double *look[4];               /* [figures] scratch */
     double *rates, *other, *moved; /* [size] scratch */
-    double *weight;                /* [figures][6 n]: N for a newton, or a newton metre, on each segment (SN16) */
+    double *weight;                /* [figures][6 n]: N per newton, or newton metre, on each segment (SN16) */
     double *right;                 /* [figures][6 n] scratch */
 };
 
-/* A stage in space that stands at (t, y). */
+/* Creates a stage in space at (t, y). */
 static hawser_status stage_at(const SceneDef *def, double t, const double *y, Stage *st, hawser_error *err)
 {
     SceneDef plain = *def;
@@ -410,7 +410,7 @@ static void matrix_turned(const Newton *nw, double g, BlockChain *a)
     }
 }
 
-/* y with every APART-th segment from `first` on moved, or turned, by `by` along coordinate c of 0 .. 5. */
+/* y with every APART-th segment from `first` on moved or rotated by `by` along coordinate c of 0 .. 5. */
 static void move(const Position *p, int first, int c, double by, double *y)
 {
     const int n = p->st.scene.chain.n;
@@ -456,7 +456,7 @@ static void figures_slopes(Position *p, int from, int to, const double by[2])
     }
 }
 
-/* Where each figure is: the winch's end, its station, its roller. */
+/* Place of each figure: the winch's end, its station, its roller. */
 static void places_find(Position *p)
 {
     TangentFigures *const f = &p->figures;
@@ -468,7 +468,7 @@ static void places_find(Position *p)
         p->at[1 + f->stations + i] = tangent_nearest(st, st->y, st->scene.rollers[i].shape.centre);
 }
 
-/* r += K^T w: what a solution with the whole matrix leaves of (SN16). */
+/* r += K^T w: residual of a solution with the whole matrix (SN16). */
 static void stiffness_add(const BlockChain *k, const double *w, double *r)
 {
     for (int i = 0; i < k->n; ++i) {
@@ -482,8 +482,8 @@ static void stiffness_add(const BlockChain *k, const double *w, double *r)
     }
 }
 
-/* p->weight from dg/dx to what a force makes of each figure: one solution each, and one of what damping has left in it
- * (SN16). */
+/* Turns p->weight from dg/dx into the response of each figure to forces: one solution each, and one for the residual
+ * due to damping (SN16). */
 static hawser_status weights_solve(Position *p, hawser_error *err)
 {
     Stage *const st = &p->st;
@@ -516,7 +516,7 @@ static hawser_status weights_solve(Position *p, hawser_error *err)
     return status;
 }
 
-/* What its matrix is not a block chain for, or what tangents do not know; NULL: nothing. */
+/* Part of the scene for which the matrix is not a block chain, or which tangents do not cover; NULL: none. */
 static const char *unknown_part(const Stage *st)
 {
     const char *const unknown = tangent_unknown(st);
@@ -577,7 +577,7 @@ Position *position_free(Position *p)
 
 const TangentFigures *position_figures(const Position *p) { return &p->figures; }
 
-/* The scene with a little less or more of the parameter: its rates and figures at the same place. */
+/* Rates and figures at the same place of the scene with a slightly smaller or larger parameter. */
 static hawser_status side_look(const Position *p, const SceneDef *def, double *rates, double *look, hawser_error *err)
 {
     Stage st = {0};

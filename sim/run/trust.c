@@ -13,11 +13,11 @@
 #include "sim/run/stats.h"
 #include "theory/findings.h"
 
-static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
+static const double LENGTH = 1e-4; /* m: neither the place of a cable nor a mesh is known more accurately */
 
-static const double SLIPS = 0.5; /* of the time for which a belt has cable: if it slides for more, it slips */
+static const double SLIPS = 0.5; /* of the time for which a belt has cable: a belt that slides for longer slips */
 
-/* m along the route, where the chain's head is at time t: as the winch has drawn it, or the belt, where it does not
+/* m along the route, place of the chain's head at time t: by the travel of the winch, or of the belt where it does not
  * slip. */
 static double head_of(const Scene *scene, const ConveyorDef *c, double t)
 {
@@ -25,8 +25,7 @@ static double head_of(const Scene *scene, const ConveyorDef *c, double t)
            (scene->winch->present ? winch_travel(scene->winch, t) : profile_integral(&c->speed, t));
 }
 
-/* m/N by which the chain is longer under load from the belt's middle up to `to`, m along the route, at
- * time t. */
+/* m/N, compliance of the chain from the belt's middle up to `to`, m along the route, at time t. */
 static double give_up_to(const Scene *scene, const ConveyorDef *c, double to, double t)
 {
     const SceneDef *const def = &scene->def;
@@ -40,7 +39,7 @@ static double give_up_to(const Scene *scene, const ConveyorDef *c, double to, do
     return give;
 }
 
-/* A figure of the run's, of a conveyor; 0 if there is none. */
+/* A figure of a conveyor in the run; 0 if there is none. */
 static double figure_of(const ConveyorDef *c, const hawser_summary *s, const char *key)
 {
     for (int i = 0; i < s->n_machines; ++i) {
@@ -50,8 +49,8 @@ static double figure_of(const ConveyorDef *c, const hawser_summary *s, const cha
     return 0;
 }
 
-/* N that a conveyor might push more than it does: up to its limit, also from where it holds back, or from one end of
- * its grip to the other. */
+/* N, further push that a conveyor could give: up to its limit, also if it holds the cable back, or from one end of its
+ * grip to the other. */
 static double push_left(const ConveyorDef *c, const hawser_summary *s)
 {
     if (!(c->limit > 0)) return 2 * c->mu * c->clamp;
@@ -59,9 +58,9 @@ static double push_left(const ConveyorDef *c, const hawser_summary *s)
     return fmax(0, c->limit - mean); /* of the time for which it has cable */
 }
 
-/* Whether lengths decide what a belt pushes with: it keeps the winch's speed, or has one of its own that is so near to
- * it, or to that of other belts, that it does not slip. One that slips pushes with all it has. The window says so, of
- * the time for which the belt has cable: before that it does not slip. */
+/* Checks whether lengths determine a belt's push: it keeps the winch's speed, or its own speed is so close to it, or to
+ * that of other belts, that it does not slip. A belt that slips pushes with its full force. The window decides, by the
+ * time for which the belt has cable: before that it does not slip. */
 static int by_lengths(const ConveyorDef *c, const hawser_summary *s)
 {
     const double held = figure_of(c, s, "gripping");
@@ -69,11 +68,11 @@ static int by_lengths(const ConveyorDef *c, const hawser_summary *s)
     return (c->sync && c->factor <= 1 && c->factor >= 1) || figure_of(c, s, "slipping") < SLIPS * held;
 }
 
-/* What shares a belt's pull with it: the winch, or without one the next belt ahead that lengths decide of, too. */
+/* The partner of a belt in the pull: the winch, or without one the next belt ahead whose push lengths determine too. */
 typedef struct Sharer {
-    double at;             /* m along the route; NAN: nothing does */
-    const char *of, *name; /* in words */
-    double left;           /* N, that it might push more */
+    double at;             /* m along the route; NAN: none */
+    const char *of, *name; /* texts */
+    double left;           /* N, further push that it could give */
 } Sharer;
 
 static Sharer sharer_of(const Scene *scene, const ConveyorDef *c, const hawser_summary *s, double t)
@@ -91,7 +90,7 @@ static Sharer sharer_of(const Scene *scene, const ConveyorDef *c, const hawser_s
     return out;
 }
 
-/* N, of what such shares are told: the winch's pull, or what the strongest belt pushes with. */
+/* N, reference of such shares: the winch's pull, or the push of the strongest belt. */
 static double shared_pull(const SceneDef *def, const hawser_summary *s)
 {
     double most = 0;
@@ -101,8 +100,8 @@ static double shared_pull(const SceneDef *def, const hawser_summary *s)
     return most;
 }
 
-/* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them, as far as its
- * grip and its limit let it. So do belts of one speed among themselves. */
+/* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them, within its grip
+ * and its limit. Belts of one speed share it among themselves likewise. */
 static int sharing_find(const Scene *scene, const hawser_summary *figures, double t, Sharing *out)
 {
     const SceneDef *const def = &scene->def;
@@ -120,28 +119,29 @@ static int sharing_find(const Scene *scene, const hawser_summary *figures, doubl
     return out->share >= 0;
 }
 
-/* What is allowed: figures of docs/reference/limits.md, "Trust". */
-static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
+/* Allowed values: figures of docs/reference/limits.md, "Trust". */
+static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of the energy that passes through, of the largest
+                                                     * impulse */
 
-static const double DAMPED = 0.01; /* of what moves, by the steps in time alone */
+static const double DAMPED = 0.01; /* of the motion, by the steps in time alone */
 
-static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
+static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bounds of the pull, relative */
 
 static const double SLOWEST = 1; /* speed of full friction over that of the pull */
 
-static const double STANDS = 0.999; /* of the largest speed, that the mean in the window may be short of */
+static const double STANDS = 0.999; /* of the largest speed: least mean in the window */
 
 static const double DRIFT = 0.05; /* of the mean pull, from the window's first half to its second */
 
-static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
+static const double PUSHED = 0.01; /* of the largest pull: mean force with which the cable may push the winch */
 
-static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
+static const double SHARED = 0.02; /* of the pull: largest part that may move from a belt to the winch */
 
 static const double SPIKE = 0.2; /* of the largest pull, above the rows beside it */
 
-static const double INSIDE = 0.25; /* of both radii, that cables may lie inside each other */
+static const double INSIDE = 0.25; /* of the sum of both radii: largest overlap of cables */
 
-enum { LOOKS = 16 }; /* at the cable's place in a run */
+enum { LOOKS = 16 }; /* checks of the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -160,8 +160,8 @@ void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, doubl
 
 /* ------------------------------------------------------------------------------------------------------ the pull */
 
-/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t
- * = 0 at least. */
+/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; at least up to the first row
+ * after t = 0. */
 static double first_moments(const Scene *scene)
 {
     const Chain *const chain = &scene->chain;
@@ -173,7 +173,7 @@ static double first_moments(const Scene *scene)
     return fmax(4 * once, 1.5 * scene->def.output.interval);
 }
 
-/* Which of the rows is the largest shows when the one behind it is there. */
+/* A row is known to be the largest only when the next one has been recorded. */
 static void row_record(Steadiness *s, double pull, double t, double dt)
 {
     if (!(t > 0)) s->row[0] = s->row[1] = s->peak = -INFINITY;
@@ -191,10 +191,11 @@ static void row_record(Steadiness *s, double pull, double t, double dt)
 
 double steadiness_spike(const Steadiness *s, int rests, double *at)
 {
-    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
+    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: no row follows */
     double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
     *at = ends ? s->last : s->peak_at;
-    if (!rests && s->held > peak) { /* what falls hits between rows, and nothing says that steps have resolved it */
+    if (!rests && s->held > peak) { /* an impact of a falling chain is between rows, and nothing shows that steps have
+                                     * resolved it */
         peak = s->held;
         beside = s->held_beside;
         *at = s->held_at;
@@ -247,7 +248,7 @@ double steadiness_drift(const Steadiness *s)
     return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }
 
-/* Whether the largest pull can be a jolt: a chain that begins at rest and is set in motion gently has none. */
+/* Checks whether the largest pull can be a jolt: not in a chain that begins at rest and is set in motion gently. */
 static int may_jolt(const Steadiness *s, int rests) { return !rests || s->speed > 0; }
 
 double steadiness_jolt(const Steadiness *s, int rests) { return may_jolt(s, rests) ? s->jolt : NAN; }
@@ -268,8 +269,8 @@ typedef struct List {
     int n;
 } List;
 
-/* Names and units by kind, and what holds; those of theory are in theory/conditions.c. The public enumeration is
- * made of both (tests/house/check_kinds.py ROOT --update). */
+/* Names and units by kind, with the meaning when it holds; those of theory are in theory/conditions.c. The public
+ * enumeration is made of both (tests/house/check_kinds.py ROOT --update). */
 static const struct {
     const char *name, *unit;
 } kinds[] = {
@@ -277,7 +278,7 @@ static const struct {
     [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"}, /* the run reached the steady window */
     [HAWSER_CONDITION_EQUILIBRIUM] =
         {"equilibrium", "N"}, /* the cable came to rest before t = 0; of positions, each is in equilibrium */
-    [HAWSER_CONDITION_TAUT] = {"taut", "1"},                           /* of positions, nothing is pushed */
+    [HAWSER_CONDITION_TAUT] = {"taut", "1"},                           /* of positions, nothing is in compression */
     [HAWSER_CONDITION_STABLE] = {"stable", "1"},                       /* the equilibrium is stable */
     [HAWSER_CONDITION_ENERGY] = {"energy", "1"},                       /* the balance of energy closes */
     [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},                   /* the balance of momentum closes */
@@ -285,20 +286,20 @@ static const struct {
     [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},                   /* the cable stays near the route */
     [HAWSER_CONDITION_PASSED] = {"passed", "1"},                       /* no segment passes through a support */
     [HAWSER_CONDITION_START] = {"start", "N"},                         /* the chain does not begin inside a support */
-    [HAWSER_CONDITION_EDGE] = {"edge", "1"},                     /* the cable does not rest at the edge of a roller */
-    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},       /* neither head nor joints have turned over */
-    [HAWSER_CONDITION_MESH] = {"mesh", "1"},                     /* segments are short enough */
-    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"}, /* the pull is faster than friction needs to come in */
+    [HAWSER_CONDITION_EDGE] = {"edge", "1"},                       /* the cable does not rest at the edge of a roller */
+    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},         /* neither head nor joints have turned over */
+    [HAWSER_CONDITION_MESH] = {"mesh", "1"},                       /* segments are short enough */
+    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"},   /* the pull is fast enough for full friction */
     [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"}, /* error bound of the mean pull */
     [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},   /* error bound of the largest pull */
     [HAWSER_CONDITION_DECIDED] = {"decided", "1"},       /* limits hold by more than their figures may be off */
     [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},         /* the cable does not push the winch */
     [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},           /* the cable moves in the steady window */
-    [HAWSER_CONDITION_SHARED] = {"shared", "1"},         /* it is decided how a belt and the winch share the pull */
+    [HAWSER_CONDITION_SHARED] = {"shared", "1"},         /* how belt and winch share the pull is determined */
     [HAWSER_CONDITION_STEADY] = {"steady", "1"},         /* the pull is even over the steady window */
     [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"}, /* the largest pull is not the jolt of the start */
-    [HAWSER_CONDITION_PEAK] = {"peak", "1"},             /* the largest pull is no single spike */
-    [HAWSER_CONDITION_WAVES] = {"waves", "1"}, /* segments are short enough for the waves of a cable that is pushed */
+    [HAWSER_CONDITION_PEAK] = {"peak", "1"},             /* the largest pull is not a single spike */
+    [HAWSER_CONDITION_WAVES] = {"waves", "1"},           /* segments resolve the waves of a cable in compression */
 };
 
 const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }
@@ -306,7 +307,7 @@ const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }
 static void add(List *list, hawser_condition_kind kind, double value, double allowed, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* A condition that holds where value <= allowed; what to say and to do otherwise. */
+/* Adds a condition that holds where value <= allowed; the text gives the finding and the remedy otherwise. */
 static void add(List *list, hawser_condition_kind kind, double value, double allowed, const char *format, ...)
 {
     hawser_condition *const c = &list->out[list->n++];
@@ -318,7 +319,7 @@ static void add(List *list, hawser_condition_kind kind, double value, double all
     va_end(args);
 }
 
-/* What the lengths of the segments are expected to add to the pull. */
+/* Adds the pull that the lengths of the segments are expected to cause. */
 static void add_mesh(List *list, const TrustFacts *f)
 {
     int worst;
@@ -333,11 +334,11 @@ static void add_mesh(List *list, const TrustFacts *f)
         where, place->piece, 1e3 * mesh_length(f->mesh, place->piece, MESH_AIM));
 }
 
-/* Of the window whose means count, or of the case where nothing has moved, m/s; 0: nothing draws. */
+/* Speed in the window whose means count, or by the case if nothing has moved, m/s; 0: nothing pulls. */
 static double pulled_at(const TrustFacts *f)
 {
     const SceneDef *const def = &f->scene->def;
-    if (!def->winch.present) { /* belts draw, as fast as the cable lets them */
+    if (!def->winch.present) { /* belts pull, as fast as the cable allows */
         const double belts = belts_largest_speed(def), cable = f->figures->steady_speed_m_per_s;
         return def->n_conveyors > 0 && cable > 1e-6 * belts && cable > 0 ? cable : belts;
     }
@@ -345,11 +346,11 @@ static double pulled_at(const TrustFacts *f)
     return steady > 1e-6 * most ? fmin(steady, most) : most;
 }
 
-/* The speed of the cable at which the last of what holds it back is fully there, and the key that says so. */
+/* Speed of the cable at which the last of the resisting forces is fully developed, and its key. */
 typedef struct Fading {
-    double speed; /* m/s; 0: nothing fades */
+    double speed; /* m/s; 0: no force fades */
     const char *key;
-    double per; /* of the key's unit, per m/s of the cable */
+    double per; /* the key's unit per m/s of the cable */
 } Fading;
 
 static void fades(Fading *f, double speed, const char *key, double per)
@@ -362,14 +363,14 @@ static void law_fades(Fading *f, const FrictionLaw *law, const char *key)
     if (friction_kind(law) == FRICTION_SPEED) fades(f, law->v_s, key, 1);
 }
 
-/* Brake and bearing of a reel, where they are of a torque that fades: a back tension does not, nor what a set speed
- * asks of a brake; (RL8). */
+/* Checks whether brake and bearing of a reel have a torque that fades at low speed: a back tension does not, nor does
+ * the brake torque for a set speed; (RL8). */
 static int reel_fades(const ReelDef *r)
 {
     return r->model == REEL_PAYOUT && (r->bearing > 0 || (r->brake == BRAKE_CONSTANT && r->torque > 0));
 }
 
-/* Rollers turn with the cable: their bearings fade by the speed of their surface. */
+/* Rollers turn with the cable: their bearings fade by their surface speed. */
 static void bearings_fade(Fading *f, const Scene *scene)
 {
     const Equipment *const q = scene->equipment;
@@ -395,18 +396,18 @@ static Fading slowest_of(const Scene *scene)
     return f;
 }
 
-/* Below the speed at which friction is fully there the pull is too small. */
+/* Below the speed at which friction is fully developed the pull is too small. */
 static void add_friction_speed(List *list, const TrustFacts *f)
 {
     const Fading slowest = slowest_of(f->scene);
     const double speed = pulled_at(f);
     if (!(slowest.speed > 0 && speed > 0)) return;
     add(list, HAWSER_CONDITION_FRICTION_SPEED, slowest.speed / speed, SLOWEST,
-        "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
+        "the pull is too slow for full friction: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
         strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
-/* What the winch, or belts, draw with at most, m/s; of a set tension what counts as moving; 0: nothing draws. */
+/* Largest speed of the winch or belts, m/s; with a set tension the speed that counts as moving; 0: nothing pulls. */
 static double drawn_at_most(const TrustFacts *f)
 {
     const SceneDef *const def = &f->scene->def;
@@ -415,7 +416,7 @@ static double drawn_at_most(const TrustFacts *f)
     return draws ? f->scene->largest_speed : 0;
 }
 
-/* Means of a window in which the cable stands are figures of no pull. */
+/* Means of a window in which the cable stands are not figures of a pull. */
 static void add_drawn(List *list, const TrustFacts *f)
 {
     const double most = drawn_at_most(f), speed = f->figures->steady_speed_m_per_s;
@@ -439,10 +440,10 @@ static void add_shared(List *list, const TrustFacts *f)
         most.belt, most.with, quote, most.name, quote, 100 * most.share);
 }
 
-/* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
- * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
- * it: the square leaves a margin (BA13). So does that of a one-step method of order three (OS11), once accuracy bounds
- * its steps: that is thirty times finer than where rows of output do. */
+/* Energy that the steps in time took out of the motion: an oscillation without damping must not die out. The loss of a
+ * BDF of order two is proportional to the cube of the step, the step to the cube root of the accuracy, the number of
+ * steps to its inverse: the square leaves a margin (BA13). The same holds for a one-step method of order three (OS11),
+ * once accuracy bounds its steps: that is thirty times finer than where rows of output do. */
 static void add_damping(List *list, const TrustFacts *f)
 {
     const SolverDef *const solver = &f->scene->def.solver;
@@ -454,11 +455,11 @@ static void add_damping(List *list, const TrustFacts *f)
         100 * share, f->balance->turnover_of, solver->accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs) / bounds));
 }
 
-/* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
+/* Error bound of one figure, with its largest part and the remedy for that. */
 static void add_error(List *list, hawser_condition_kind kind, const char *figure, const hawser_error_bar *bar,
                       double size, double allowed)
 {
-    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    const char *of = "friction that is not fully developed", *remedy = "a friction.v_s far below the pull's speed";
     if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
         of = "the mesh";
         remedy = "a shorter chain.segment";
@@ -471,7 +472,7 @@ static void add_error(List *list, hawser_condition_kind kind, const char *figure
     add(list, kind, fmin(bar->total / size, 1), allowed, "%s %s, mostly by %s: use %s", figure, share, of, remedy);
 }
 
-/* The error bars of the pull. */
+/* Error bounds of the pull. */
 static void add_errors(List *list, const hawser_summary *s)
 {
     if (!(s->pull_peak_N > 0)) return;
@@ -480,7 +481,7 @@ static void add_errors(List *list, const hawser_summary *s)
     add_error(list, HAWSER_CONDITION_NUMERICAL_PEAK, "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
-/* Whether it is certain that all limits hold: a margin that is smaller than the error of what was found is none. */
+/* Checks whether it is certain that all limits hold: a margin smaller than the error of the figure does not count. */
 static void add_decided(List *list, const TrustFacts *f)
 {
     const hawser_limit *const l = limits_undecided(f->n_limits, f->limit);
@@ -497,7 +498,7 @@ static void add_decided(List *list, const TrustFacts *f)
         l->name, l->value, l->error, l->unit, l->limit, l->unit);
 }
 
-/* A winch pulls: where the cable pushes it the start has jammed or thrown it, or it runs away. */
+/* A winch pulls: if the cable pushes it, the start has jammed or thrown the cable, or the cable runs away. */
 static void add_pushed(List *list, const hawser_summary *s)
 {
     add(list, HAWSER_CONDITION_PUSHED, fmax(0, -s->pull_mean_N), PUSHED * fmax(0, s->pull_peak_N),
@@ -506,7 +507,8 @@ static void add_pushed(List *list, const hawser_summary *s)
         -s->pull_mean_N);
 }
 
-/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. */
+/* Means of a window in which the pull still changes, and a peak that does not belong to the pull, are not valid
+ * figures. */
 static void add_steadiness(List *list, const TrustFacts *f)
 {
     const Steadiness *const s = f->steadiness;
@@ -537,7 +539,7 @@ static double half_of_longest(const Scene *scene)
     return most;
 }
 
-/* An equilibrium that is pulled: what is pushed may buckle, and stands then where nothing here knows. */
+/* Equilibrium of a pull: a cable in compression may buckle to a place that is not modelled. */
 static void add_taut(List *list, const TrustFacts *f)
 {
     add(list, HAWSER_CONDITION_TAUT, f->push_share, PUSHED_ALONG,
@@ -546,8 +548,8 @@ static void add_taut(List *list, const TrustFacts *f)
         100 * f->push_share, f->still ? " with 'solver.motion: dynamic'" : "");
 }
 
-/* A run of what is pushed: a straight line that nothing disturbs stays straight, however unstable it is; and segments
- * show no waves that they are too long for. */
+/* A run with compression: an undisturbed straight line stays straight however unstable it is, and segments cannot show
+ * waves for which they are too long. */
 static void add_bowed(List *list, const TrustFacts *f)
 {
     const Buckling *const p = &f->scene->pushed;
@@ -577,7 +579,7 @@ static void add_places_found(List *list, const TrustFacts *f)
     add_taut(list, f);
 }
 
-/* Where the cable or rod begins: at rest, and on a rest that it would keep. */
+/* Start of the cable or rod: at rest, and in an equilibrium that it would keep. */
 static void add_rest(List *list, const TrustFacts *f)
 {
     const Scene *const scene = f->scene;
@@ -586,8 +588,8 @@ static void add_rest(List *list, const TrustFacts *f)
     const int rests = (scene->def.solver.relax || !dynamic) && tolerance > 0;
     if (rests && rod_is_loose(scene)) {
         add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
-            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
-            "to false");
+            "nothing holds the rod: it has no equilibrium and begins where the case puts it: hold an end, or set "
+            "solver.relax to false");
     } else if (rests) {
         add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
@@ -602,7 +604,7 @@ static void add_rest(List *list, const TrustFacts *f)
     }
 }
 
-/* What the books of energy and momentum leave open. */
+/* Residuals of the balances of energy and momentum. */
 static void add_books(List *list, const TrustFacts *f)
 {
     add(list, HAWSER_CONDITION_ENERGY, f->balance->residual_share, ENERGY,
@@ -613,7 +615,7 @@ static void add_books(List *list, const TrustFacts *f)
     add_damping(list, f);
 }
 
-/* Where it has been: nothing has been lost, passed or turned over. */
+/* Places of the cable during the run: it has not left the route, passed through a support or turned over. */
 static void add_places(List *list, const TrustFacts *f)
 {
     const Scene *const scene = f->scene;

@@ -19,7 +19,7 @@ static hawser_status bunch_candidates(Bunch *b, int always, hawser_error *err);
 static const MotionOps *bunch_ops(void);
 static hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxation *out, hawser_error *err);
 
-/* A vector in a segment's own axes, in the world's. */
+/* Converts a vector from a segment's own axes to the world's. */
 static Vec3 turned(const Kinematics *kin, int i, Vec3 arm)
 {
     return quat_rotate((Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]}, arm);
@@ -59,8 +59,8 @@ double link_lost(const Link *link, const LinkNow *now) { return link->c * v3_dot
 
 double link_energy(const Link *link, const LinkNow *now) { return link->k / 2 * v3_dot(now->gap, now->gap); }
 
-/* What a coordinate of one end does to the link: 0..2 a shift, 3..5 a turn, 6..8 a velocity, 9..11 an angular velocity
- * (SC7). */
+/* Change of a link by one coordinate of one end: 0..2 a displacement, 3..5 a rotation, 6..8 a velocity, 9..11 an
+ * angular velocity (SC7). */
 typedef struct LinkChange {
     Vec3 at[2], force; /* m, N */
 } LinkChange;
@@ -84,7 +84,7 @@ static LinkChange change_by(const Link *link, const LinkNow *now, int end, int c
     return by;
 }
 
-/* Where block (row, col) of two ends is. */
+/* Place of block (row, col) of two ends. */
 static double *block_at(BlockChain *chain, BlockExtras *extras, double *extra, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
@@ -110,8 +110,8 @@ void link_blocks(const Link *link, const SelfLine *line, BlockChain *k, BlockCha
     }
 }
 
-/* Between two chains' states: numbers that stay zero, so that what keeps two for each of a state (motion_past) has room
- * for lanes filled up. */
+/* Gap between two chains' states: numbers that stay zero, so that what keeps two numbers for each of a state
+ * (motion_past) has room for padded lanes. */
 enum { APART = BODY_PAST * LANES / 2 + LANES };
 
 /* ------------------------------------------------------------------------------------------------------ building */
@@ -129,8 +129,8 @@ static void link_stiffen(const Bunch *b, Link *link)
     link->c = link->k * link->k * (c[0] / k[0] + c[1] / k[1]);
 }
 
-/* A head joined to the rope's tail: at its place beside the rope's axis; of a basket, which holds its direction too, a
- * second time at the head segment's rear end (SC9). */
+/* Joins a head to the rope's tail: at its place beside the rope's axis; a basket, which holds its direction too, is
+ * also joined at the head segment's rear end (SC9). */
 static void head_join(Bunch *b, int k, int rope)
 {
     const Scene *const scene = b->chain[k].scene;
@@ -150,7 +150,7 @@ static void head_join(Bunch *b, int k, int rope)
     }
 }
 
-/* The segment of a chain in which a point of the route lies at the start; -1: none. */
+/* Segment of a chain in which a point of the route is at the start; -1: none. */
 static int segment_at(const Scene *scene, double s)
 {
     for (int i = 0; i < scene->chain.n; ++i)
@@ -158,7 +158,7 @@ static int segment_at(const Scene *scene, double s)
     return -1;
 }
 
-/* Two chains tied where they lie beside each other at s: both hold on to the point midway between them (SC10). */
+/* Ties two chains that are beside each other at s: both are joined to the point midway between them (SC10). */
 static int tie_add(Bunch *b, int k, int l, double s, double stiffness, const double *y[])
 {
     Link link = {.line = {k, l}, .k = stiffness};
@@ -186,7 +186,7 @@ static int tie_add(Bunch *b, int k, int l, double s, double stiffness, const dou
     return 1;
 }
 
-/* How many links there may be at most. */
+/* Largest number of links. */
 static int links_most(const Bunch *b)
 {
     const TiesDef *const ties = &b->chain[0].scene->def.ties;
@@ -200,7 +200,7 @@ static int links_most(const Bunch *b)
     return most;
 }
 
-/* Ties go round all chains but ropes, at their spacing from the rearmost head back. */
+/* Ties all chains except ropes to each other, at the ties' spacing from the rearmost head back. */
 static hawser_status ties_add(Bunch *b, hawser_error *err)
 {
     const TiesDef *const ties = &b->chain[0].scene->def.ties;
@@ -251,7 +251,7 @@ static hawser_status links_make(Bunch *b, hawser_error *err)
     return status;
 }
 
-/* Candidates hold for a motion of the order of the thinnest cable's radius, as within one cable. */
+/* The candidates' reach is of the order of the thinnest cable's radius, as within one cable. */
 static void contact_make(Bunch *b)
 {
     const SceneDef *const def = &b->chain[0].scene->def;
@@ -266,7 +266,7 @@ static void contact_make(Bunch *b)
                              .reach = fmin(thinnest, def->contact_reach)};
 }
 
-/* A step moves no chain farther than any of them may go. */
+/* Limits the motion per step of every chain to the least of their limits. */
 static void way_share(Bunch *b)
 {
     double way = INFINITY, speed = 0;
@@ -288,7 +288,7 @@ static hawser_status matrix_make(Bunch *b, const LinOptions *options, hawser_err
     const BunchChain *const last = &b->chain[b->n - 1];
     LinOptions mine = *options;
     if (mine.kind == LIN_AUTO) mine.kind = LIN_BLOCK_SPARSE;
-    /* of KLU's orders: to try the natural one alone (L12) took twenty times as long as all else of a relaxation */
+    /* of KLU's orderings: trying the natural one (L12) took twenty times as long as the rest of a relaxation */
     if (mine.ordering == ORDER_AUTO) mine.ordering = ORDER_AMD;
     b->part = calloc((size_t)b->n, sizeof *b->part);
     if (!b->part) return error_memory(err);
@@ -365,7 +365,7 @@ void bunch_scatter(const Bunch *b, const double *all, double *const y[])
     for (int k = 0; k < b->n; ++k) memcpy(y[k], all + b->chain[k].at, (size_t)b->chain[k].motion->size * sizeof *all);
 }
 
-/* The chain of a row, and its segment there. */
+/* Chain of a row, and its segment there. */
 static int bunch_chain_of(const Bunch *b, int row, int *segment)
 {
     int k = 0;
@@ -374,9 +374,9 @@ static int bunch_chain_of(const Bunch *b, int row, int *segment)
     return k;
 }
 
-/* --------------------------------------------------------------------------- what the chains do to each other */
+/* --------------------------------------------------------------------------- interaction of the chains */
 
-/* Adds what the chains do to each other to their loads, for the kinematics in their workspaces. */
+/* Adds the interaction of the chains to their loads, for the kinematics in their workspaces. */
 static void bunch_interact(Bunch *b, double friction)
 {
     const SelfLines lines = bunch_lines(b);
@@ -394,8 +394,8 @@ static void bunch_interact(Bunch *b, double friction)
     }
 }
 
-/* New candidates for contact where something has moved too far, by the kinematics in the workspaces; or always. Errors:
- * MEMORY. */
+/* Finds new contact candidates where something has moved too far, by the kinematics in the workspaces; or always.
+ * Errors: MEMORY. */
 static hawser_status bunch_candidates(Bunch *b, int always, hawser_error *err)
 {
     const SelfLines lines = bunch_lines(b);
@@ -404,7 +404,7 @@ static hawser_status bunch_candidates(Bunch *b, int always, hawser_error *err)
     return self_refresh(&b->contact, &lines, &b->pairs, err);
 }
 
-/* K and D of what the chains do to each other, into the matrix of all. */
+/* Adds K and D of the interaction to the common matrix. */
 static void bunch_blocks(Bunch *b, double friction)
 {
     const SelfLines lines = bunch_lines(b);
@@ -413,20 +413,20 @@ static void bunch_blocks(Bunch *b, double friction)
     for (int i = 0; i < b->n_links; ++i) link_blocks(&b->link[i], b->line, &b->whole.k, &b->whole.d, &b->pairs.extras);
 }
 
-/* A bunch as the integrator sees it. A bunch that is not coupled leaves everything to its chains' own equations; the
- * norm is the largest of theirs, so that each is computed as well as if it were alone. */
+/* The chains as the integrator sees them. Chains that are not coupled are left to their own equations; the norm is the
+ * largest of theirs, so that each is computed as accurately as if it were alone. */
 
 static Bunch *bunch_of(const Motion *m) { return (Bunch *)(uintptr_t)m; }
 
-/* Chain c of the bunch of m, one after the other. */
+/* Loops over the chains c of m. */
 #define EACH_CHAIN(c, b) for (const BunchChain *c = (b)->chain; c < (b)->chain + (b)->n; ++c)
 
 /* -------------------------------------------------------------------------------------------------------- rates */
 
-/* Rates of all at (t, y); friction as in dynamics_rates (sim/solve/chains.c). */
+/* Rates of all chains at (t, y); friction as in dynamics_rates (sim/solve/chains.c). */
 static void bunch_rates(Bunch *b, double t, const double *y, double friction, double *ydot)
 {
-    memset(ydot, 0, (size_t)b->motion.size * sizeof *ydot); /* what lies between the chains' states stays zero */
+    memset(ydot, 0, (size_t)b->motion.size * sizeof *ydot); /* the gaps between the chains' states stay zero */
     EACH_CHAIN(c, b) dynamics_pose(c->scene, c->ws, t, y + c->at, friction);
     EACH_CHAIN(c, b) dynamics_loads(c->scene, c->ws, t, friction);
     bunch_interact(b, friction);
@@ -448,7 +448,7 @@ static int rates(Motion *m, double t, const double *y, double *ydot)
 
 /* -------------------------------------------------------------------------------------------------------- matrix */
 
-/* Derivative blocks of all at (t, y), with the point of linearisation. */
+/* Derivative blocks of all chains at (t, y), with the point of linearisation. */
 static void bunch_linearise(Bunch *b, double t, const double *y, const double *ydot, double friction)
 {
     EACH_CHAIN(c, b)
@@ -460,7 +460,7 @@ static void bunch_linearise(Bunch *b, double t, const double *y, const double *y
     bunch_blocks(b, friction);
 }
 
-/* Newton's matrix of all for gamma; its factors; b of all becomes the solution. */
+/* Newton's matrix of all chains for gamma; its factors; b becomes the solution. */
 static void bunch_form(Bunch *b, double gamma)
 {
     for (int k = 0; k < b->n; ++k) newton_form(&b->part[k], gamma);
@@ -518,7 +518,7 @@ static int solve(Motion *m, double *rhs)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------------ what is measured */
+/* ------------------------------------------------------------------------------------------------ weights, norm */
 
 static void weights(const Motion *m, double *weight)
 {
@@ -551,7 +551,7 @@ static void project(const Motion *m, const double *y, double *correction, double
     c->motion->ops->project(c->motion, y + c->at, correction + c->at, error ? error + c->at : NULL);
 }
 
-/* The worst segment of the chain whose norm is largest, as its row. */
+/* The worst segment of the chain with the largest norm, as its row. */
 static int worst(const Motion *m, const double *error, const double *weight)
 {
     const Bunch *const b = bunch_of(m);
@@ -622,14 +622,14 @@ static double chains_winch_pull(Motion *m, double t, const double *y)
     return sum;
 }
 
-/* --------------------------------------------------------------------------------------------------- the books */
+/* --------------------------------------------------------------------------------------------------- balances */
 
 static void add(double *sum, const double *more, int n)
 {
     for (int i = 0; i < n; ++i) sum[i] += more[i];
 }
 
-/* *out, a run of numbers of the type Type, becomes the sum of what the chains' own operation op says. */
+/* Sets *out, a struct of numbers of the type Type, to the sum of the results of the chains' own operation op. */
 #define CHAINS_ADDED(b, op, t, y, Type, out)                                                                           \
     do {                                                                                                               \
         memset(out, 0, sizeof *(out));                                                                                 \
@@ -678,7 +678,7 @@ static MethodLoss method_loss(const Motion *m, const double *y, const double *yd
 
 /* ------------------------------------------------------------------------------------------------------ the rest */
 
-/* Chains that do nothing to each other come to rest one by one. */
+/* Chains without interaction are relaxed one by one. */
 static hawser_status relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     Bunch *const b = bunch_of(m);
@@ -715,7 +715,7 @@ static void lin_stats(const Motion *m, LinStats *stats)
     }
 }
 
-/* Of a coupled bunch what is between the chains, and the matrix of all; else each chain's own. */
+/* Coupled chains save the contacts between them and the common matrix; others each their own. */
 static void checkpoint(Checkpoint *c, Motion *m)
 {
     Bunch *const b = bunch_of(m);
@@ -761,9 +761,9 @@ static const MotionOps *bunch_ops(void)
     return &ops;
 }
 
-/* ------------------------------------------------------------------------------------------- what presses on what */
+/* ------------------------------------------------------------------------------------------- contact forces */
 
-/* The most with which others press on each chain (SC12). */
+/* Largest contact pressure of the others on each chain (SC12). */
 static void between_look(Bunch *b, ChainsLook *out)
 {
     double most[STRANDS_MAX] = {0};
@@ -786,10 +786,10 @@ static void walls_look(const BunchChain *c, ChainLook *out)
         out->weight += scene->chain.mass[i] * v3_norm(scene->weight.gravity);
 }
 
-/* ------------------------------------------------------------------------------------------------ how they lie */
+/* ------------------------------------------------------------------------------------------------ arrangement */
 
-/* Walks along chain a with the segment of b that is beside it: crossings of b from one side to the other, and the angle
- * by which it turns about a (SC14). */
+/* Follows chain a with the segment of b that is beside it: crossings of b from one side to the other, and the angle by
+ * which it turns about a (SC14). */
 static void pair_look(const SelfLine *a, const SelfLine *b, double *crossings, double *twist)
 {
     const Vec3 up = {0, 0, 1};
@@ -826,7 +826,7 @@ static void lie_look(const Bunch *b, ChainsLook *out)
 
 /* ------------------------------------------------------------------------------------------------------ the pull */
 
-/* Of a head that is joined to a rope what the links bring along its own segment; else of its winch. */
+/* The force of the links along the head's own segment if it is joined to a rope; otherwise the pull of its winch. */
 double bunch_pull(const Bunch *b, int k)
 {
     const BunchChain *const c = &b->chain[k];
@@ -869,25 +869,25 @@ void bunch_sum(ChainsLook *look)
         all->weight += one->weight;
         all->between = fmax(all->between, one->between);
         all->factor = fmax(all->factor, one->factor);
-        if (isnan(one->share)) continue; /* a rope pulls with what the others hold it back by */
+        if (isnan(one->share)) continue; /* a rope pulls with the sum of the others' resistance */
         all->pull += one->pull;
         all->reference += one->reference;
-        all->crossings += one->crossings / 2; /* each is two chains' */
+        all->crossings += one->crossings / 2; /* each belongs to two chains */
         all->twist += one->twist;
         ++cables;
     }
     if (cables > 0) all->twist /= cables;
 }
 
-/* Equilibrium of chains that act on each other: the same continuation as of one (sim/solve/relax.h), each of its parts
- * being the chains' own, one after the other. */
+/* Equilibrium of chains that act on each other: the same continuation as for one (sim/solve/relax.h); each operation is
+ * carried out for one chain after the other. */
 
-/* Each chain's share, whose state and rates are parts of those of all. */
+/* Relaxation of each chain; its state and rates are parts of the common ones. */
 typedef struct Together {
     Bunch *bunch;
     double t;
     double *y, *rate; /* [motion.size] */
-    double bed;       /* N/m^1.5, of the contact between them when it is not softened */
+    double bed;       /* N/m^1.5, stiffness of the contact between them when it is not softened */
     Relaxation *own;  /* [bunch->n] */
 } Together;
 
@@ -948,7 +948,7 @@ static void soften(void *self, double share)
     r->bunch->contact.law.bed = share * r->bed;
 }
 
-/* Everyone's share, at rest; 0 if there is no memory. */
+/* Prepares each chain's part, at rest; 0 if there is no memory. */
 static int together_begin(Together *r)
 {
     const Bunch *const b = r->bunch;
@@ -975,7 +975,7 @@ static void together_end(Together *r)
     free(r->rate);
 }
 
-/* As relax_to_equilibrium (sim/solve/chains.c). */
+/* Relaxes all chains, as relax_to_equilibrium does one (sim/solve/chains.c). */
 static hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
@@ -994,13 +994,13 @@ static hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxatio
     return status;
 }
 
-/* Several chains beside each other, in the scene of the first: the figures that each has among the others. What they do
- * to each other is in sim/bunch. docs/model.md, "Several chains". */
+/* Several chains beside each other, in the scene of the first: the figures of each among the others. Their interaction
+ * is in sim/solve/chains.c. docs/model.md, "Several chains". */
 
 typedef struct Chains {
     int n;
-    const ChainsLook *look;            /* the scene's */
-    const char *name[STRANDS_MAX + 1]; /* the definition's; then all together */
+    const ChainsLook *look;            /* from the scene */
+    const char *name[STRANDS_MAX + 1]; /* as in the definition; then all together */
 } Chains;
 
 static hawser_status chains_build(Room *room, Scene *scene, hawser_error *err)

@@ -2,28 +2,28 @@
 
 #include <math.h>
 
-/* A matrix that leaves more than SLOW of every correction is made anew if it would need more than LEFT iterations: a
- * new one costs about four of them (N18). */
+/* A matrix whose corrections leave more than SLOW of the error is made anew if it would need more than LEFT iterations:
+ * a new one costs about four of them (N18). */
 static const double SLOW = 0.2;
 enum { LEFT = 3 };
-/* The next correction is no more than this of the last one, or it leads off (N19). */
+/* The next correction must be at most this share of the last one, otherwise it diverges (N19). */
 static const double FALLS = 0.75;
-/* What CVODE takes of the old estimate of the rate. */
+/* Share that CVODE keeps of the old estimate of the rate. */
 static const double RATE_KEPT = 0.3;
 enum { ITERATIONS_MOST = 20, HALVINGS_MOST = 6 };
 
-/* One solution: where it is and what it asks for. */
+/* One solution: its iterate, weights and tolerance. */
 typedef struct Attempt {
     ContactNewton *c;
-    N_Vector e, weight;     /* the correction of the predictor, which is the unknown */
-    double tolerance, size; /* of what is left; norm of c->step */
+    N_Vector e, weight;     /* the correction to the predictor, which is the unknown */
+    double tolerance, size; /* on the remaining error; norm of c->step */
     void *cvode;
 } Attempt;
 
 /* r at e. Where it is not finite, > 0. */
 static int residual_at(const Attempt *a) { return a->c->residual(a->e, a->c->r, a->cvode); }
 
-/* The correction that the matrix of now wants where r was evaluated last, and its norm. */
+/* The correction by the present matrix at the last evaluation of r, and its norm. */
 static int correction(const Attempt *a, N_Vector out, double *size)
 {
     N_VScale(-1.0, a->c->r, out);
@@ -32,7 +32,7 @@ static int correction(const Attempt *a, N_Vector out, double *size)
     return bad;
 }
 
-/* The matrix of where r was evaluated last. */
+/* Makes the matrix of the last evaluation of r. */
 static int matrix_fresh(const Attempt *a)
 {
     sunbooleantype current;
@@ -41,7 +41,7 @@ static int matrix_fresh(const Attempt *a)
     return a->c->setup(SUNTRUE, &current, a->cvode);
 }
 
-/* The correction that e, changed by the last one, asks for: its norm is INFINITY if there is none. < 0: stop. */
+/* The correction that follows at e after the last one: its norm is INFINITY if there is none. < 0: stop. */
 static int look_ahead(Attempt *a, double *next)
 {
     *next = INFINITY;
@@ -49,7 +49,7 @@ static int look_ahead(Attempt *a, double *next)
     return bad ? bad : correction(a, a->c->next, next);
 }
 
-/* The correction after the last one becomes the one to make. */
+/* Accepts the last correction; the one after it becomes the next to make. */
 static void go_on(Attempt *a, double next)
 {
     ContactNewton *const c = a->c;
@@ -59,14 +59,14 @@ static void go_on(Attempt *a, double next)
     a->size = next;
 }
 
-/* The same with a fresh matrix, of where r was evaluated last. */
+/* The same with a new matrix, made at the last evaluation of r. */
 static int go_on_fresh(Attempt *a)
 {
     const int bad = matrix_fresh(a);
     return bad ? bad : correction(a, a->c->step, &a->size);
 }
 
-/* Back to where the last correction began, and from there with a fresh matrix. */
+/* Returns to the start of the last correction, and continues from there with a new matrix. */
 static int go_back(Attempt *a)
 {
     N_VLinearSum(1.0, a->e, -1.0, a->c->step, a->e);
@@ -74,7 +74,7 @@ static int go_back(Attempt *a)
     return bad ? bad : go_on_fresh(a);
 }
 
-/* From where the matrix is fresh, half of the correction, a quarter..., until what is left falls as it should (N20). */
+/* With a new matrix: tries half of the correction, a quarter..., until the residual falls as it should (N20). */
 static int damp(Attempt *a)
 {
     ContactNewton *const c = a->c;
@@ -91,7 +91,7 @@ static int damp(Attempt *a)
     return bad ? bad : SUN_NLS_CONV_RECVR;
 }
 
-/* After a correction was made: the next one, with what it takes (N18)-(N20). */
+/* After a correction was made: finds the next one by the rules (N18)-(N20). */
 static int next_correction(Attempt *a)
 {
     ContactNewton *const c = a->c;
@@ -121,7 +121,8 @@ static int next_correction(Attempt *a)
     return damp(a);
 }
 
-/* From e = 0 to the solution. CVODE's test of the end, without its verdict that what doubles is lost. */
+/* Iterates from e = 0 to the solution. The test of convergence is CVODE's, without its rule that a doubled correction
+ * is divergence. */
 static int iterate(Attempt *a, int setup)
 {
     ContactNewton *const c = a->c;
@@ -148,7 +149,7 @@ static int iterate(Attempt *a, int setup)
     return SUN_NLS_CONV_RECVR;
 }
 
-/* ------------------------------------------------------------------------------------ in SUNDIALS' clothes */
+/* ------------------------------------------------------------------------------------ as a SUNDIALS solver */
 
 static int solve_step(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_Vector weight, sunrealtype tolerance,
                       sunbooleantype setup, void *cvode)

@@ -1,10 +1,10 @@
-/* Newton's iteration where contacts open and close, in place of SUNDIALS' own. docs/model.md, "Integration"
+/* Newton's iteration for contacts that open and close, in place of SUNDIALS' own. docs/model.md, "Integration"
  * (N17)-(N20).
  *
- * A matrix is made anew as soon as the old one would take longer, and where the iteration stands, instead of beginning
- * again; a correction that leads off is judged by the matrix of where it led to, since one without a contact knows
- * nothing of the depth in it; what leads off even so is damped. Only what is given up then counts as a failure, and
- * CVODE takes a smaller step. */
+ * A matrix is made anew as soon as the old one would take longer, and at the present iterate, instead of restarting; a
+ * correction that diverges is judged by the matrix at its end, since one without a contact has no information on its
+ * depth; if it diverges even so it is damped. Only what is given up then counts as a failure, and CVODE takes a smaller
+ * step. */
 #ifndef HAWSER_SIM_SOLVE_CONTACT_NEWTON_H
 #define HAWSER_SIM_SOLVE_CONTACT_NEWTON_H
 
@@ -21,19 +21,19 @@
 #endif
 
 typedef struct ContactNewton {
-    SUNNonlinearSolver shell; /* what CVODE is given; it borrows this struct */
-    /* What CVODE gives. The unknown e is the correction of its predictor. */
-    SUNNonlinSolSysFn residual; /* r(e) (N17); > 0: not finite there, a smaller step may do */
-    SUNNonlinSolLSetupFn setup; /* factors the matrix: of where r was evaluated last, or the old one for a new gamma */
-    SUNNonlinSolLSolveFn solve; /* with the factors of now */
+    SUNNonlinearSolver shell; /* handed to CVODE; it borrows this struct */
+    /* Set by CVODE. The unknown e is the correction to its predictor. */
+    SUNNonlinSolSysFn residual; /* r(e) (N17); > 0: not finite there, a smaller step may be */
+    SUNNonlinSolLSetupFn setup; /* factors the matrix: of the last evaluation of r, or the old one for a new gamma */
+    SUNNonlinSolLSolveFn solve; /* with the present factors */
     /* of one solution */
-    N_Vector r;          /* where it was evaluated last */
-    N_Vector step, next; /* the correction that was made last, and the one after it */
-    double rate;         /* of convergence with the matrix of now, as CVODE reckons it: R of (N17) */
-    int fresh;           /* the matrix is that of where the last correction began */
+    N_Vector r;          /* at its last evaluation */
+    N_Vector step, next; /* the last correction made, and the one after it */
+    double rate;         /* of convergence with the present matrix, as CVODE estimates it: R of (N17) */
+    int fresh;           /* 1: the matrix was made at the start of the last correction */
 
     long iterations; /* corrections tried; CVODE adds them up */
-    long failures;   /* 1: it was given up */
+    long failures;   /* solutions given up */
 } ContactNewton;
 
 /* For vectors like `like`. 0 if there is no memory; contact_newton_free may follow either way. */

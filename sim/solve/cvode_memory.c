@@ -7,9 +7,9 @@
 #include <sundials/sundials_types.h>
 #include <sundials/sundials_version.h>
 
-/* Places are in bytes. A build that has CVODE's sources (HAWSER_CVODE_SOURCES) takes them from its private headers; any
- * other one knows those of 64-bit machines with doubles and 64-bit indices, which the former compares where it is one.
- */
+/* Offsets in bytes. A build that has CVODE's sources (HAWSER_CVODE_SOURCES) takes them from its private headers; any
+ * other one uses those of 64-bit machines with doubles and 64-bit indices, which a build with the sources on such a
+ * machine compares. */
 #ifdef HAWSER_CVODE_SOURCES
 #include <cvode_impl.h>
 #include <cvode_ls_impl.h>
@@ -42,13 +42,13 @@ enum {
 enum {
     AT_HISTORY = MEM(cv_zn, 96),    /* pointers to its 13 vectors */
     AT_ORDER = MEM(cv_q, 288),      /* int: of the next step's prediction */
-    AT_TRIED = MEM(cv_qprime, 292), /* int: of the step that is tried */
+    AT_TRIED = MEM(cv_qprime, 292), /* int: of the step being tried */
     AT_NEXT_ORDER = MEM(cv_next_q, 296),
     AT_LENGTH = MEM(cv_L, 304), /* int: of its coefficients, order + 1 */
     AT_NEXT_STEP = MEM(cv_next_h, 336),
     AT_TIME = MEM(cv_tn, 360),
     AT_GAMMA = MEM(cv_gamma, 648),
-    AT_MOST = MEM(cv_qmax, 712), /* int: the highest order that it may take */
+    AT_MOST = MEM(cv_qmax, 712), /* int: the highest order allowed */
     AT_STEPS = MEM(cv_nst, 856), /* long, as all counts */
     AT_RATES = MEM(cv_nfe, 864),
     AT_STEP_FAILS = MEM(cv_ncfn, 872),
@@ -67,10 +67,10 @@ enum {
     AT_PROJECTING = MEM(proj_enabled, 1536 + SILENT), /* int: whether it is to project; never without one */
     AT_PROJECTED = MEM(proj_applied, 1540 + SILENT)   /* int: whether it has */
 };
-/* Of the linear solver's, and of the projection's: */
+/* Offsets in the memory of the linear solver and of the projection: */
 enum { AT_JACOBIANS = LS(nje, 136), AT_PROJECTIONS = PROJ(nproj, 64) };
 
-/* Bytes from .. to-1 of a structure: numbers alone, no pointers. */
+/* Bytes from .. to-1 of a structure: numbers only, no pointers. */
 typedef struct Stretch {
     int from, to;
 } Stretch;
@@ -114,11 +114,11 @@ static int long_is(const void *memory, int at, long value)
 
 static int real_is(const void *memory, int at, sunrealtype value)
 {
-    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits are what is asked for */
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the comparison is for equal bits */
     return !memcmp((const char *)memory + at, &value, sizeof value);
 }
 
-/* ------------------------------------------------------------------------------------------- asked of CVODE */
+/* ------------------------------------------------------------------------------------------- checks against CVODE */
 
 static int counts_are(void *cvode)
 {
@@ -163,7 +163,7 @@ static int orders_are(void *cvode)
            int_is(cvode, AT_LAST_ORDER, last) && int_is(cvode, AT_NEXT_ORDER, next);
 }
 
-/* Nothing tells the highest order: it is set to the lowest one, and back. */
+/* CVODE does not report the highest order: the check sets it to the lowest one, and back. */
 static int most_is(void *cvode)
 {
     int most;
@@ -213,7 +213,7 @@ int cvode_memory_known(void *cvode, const char **why)
            parts_are(cvode);
 }
 
-/* ---------------------------------------------------------------------------------------------- both ways */
+/* ---------------------------------------------------------------------------------------------- saving, loading */
 
 static void stretches(Checkpoint *c, const char *name, void *memory, int n, const Stretch *stretch)
 {
@@ -228,13 +228,13 @@ static int int_at(const void *memory, int at)
     return value;
 }
 
-/* Orders and places that CVODE finds vectors and coefficients by: it has vectors up to order `most`, also to free. One
- * that has not made a step yet has tried no order. */
+/* Checks orders and indices by which CVODE finds vectors and coefficients: it has vectors up to order `most`, also when
+ * it frees them. Before the first step the tried order is 0. */
 static int orders_fit(void *cvode, int most)
 {
     const int fresh = long_is(cvode, AT_STEPS, 0);
     const struct {
-        int at, least, more; /* more than the highest order */
+        int at, least, more; /* may exceed the highest order by this */
     } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, !fresh, 0}, {AT_NEXT_ORDER, 0, 0},
                   {AT_LAST_ORDER, 0, 0}, {AT_LENGTH, 2, 1}, {AT_KEPT, 0, 0}};
     int ok = int_at(cvode, AT_VECTORS) == most && (long)int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1L;

@@ -1,7 +1,7 @@
-/* What CVODE remembers from step to step: order, step sizes, coefficients, counters, and which of its vectors are its
- * history. It offers no call for that, and its structures are not public: which bytes of them matter is listed here by
- * place and length, for the versions in which they lie so. Whether they do is asked, wherever that list is used, of
- * everything that CVODE says of itself. docs/formats.md, "The integrator". */
+/* State that CVODE keeps from step to step: order, step sizes, coefficients, counters, and which of its vectors are its
+ * history. It offers no call for that, and its structures are not public: the relevant bytes are listed here by offset
+ * and length, for the versions with this layout. Wherever the list is used, the layout is checked against everything
+ * that CVODE reports about itself. docs/formats.md, "The integrator". */
 #ifndef HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 #define HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 
@@ -12,15 +12,15 @@
 
 enum { CVODE_HISTORY_MAX = 13 };
 
-/* Whether the list holds for this CVODE; *why (may be NULL) says what does not. */
+/* Checks whether the list is valid for this CVODE; *why (may be NULL) names what differs. */
 int cvode_memory_known(void *cvode, const char **why);
-/* What CVODE has counted since it was started anew: steps, evaluations, iterations, set-ups and failures alone. */
+/* CVODE's counts since it was last restarted: steps, evaluations, iterations, set-ups and failures only. */
 void cvode_counts(void *cvode, IntegratorStats *stats);
-/* Whether counts that have been read can be counted on with. */
+/* Checks whether loaded counts are valid to continue with. */
 void counts_check(Checkpoint *c, const IntegratorStats *counts);
-/* All but vectors. CVODE must have made a step: its first one sets it up. */
+/* Saves or loads everything but vectors. CVODE must have made a step: its first one sets it up. */
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode);
-/* Those vectors of the history that the next step reads; returns how many. */
+/* Writes those vectors of the history that the next step reads; returns their number. */
 int cvode_memory_history(void *cvode, N_Vector history[CVODE_HISTORY_MAX]);
 
 #endif

@@ -8,22 +8,22 @@
 #include "core/machine.h"
 #include "sim/solve/vector_queue.h"
 
-/* The next step by what this one's error and the one's before were (OS9): safety, exponents times the order, limits.
- * Within STAYS the step keeps its length, and its matrix with it. */
+/* Length of the next step by the errors of this one and the one before (OS9): safety, exponents times the order,
+ * limits. Within STAYS the step keeps its length, and its matrix. */
 static const double SAFETY = 0.9, PROPORTIONAL = 0.4, INTEGRAL = 0.7, SHRINK_MOST = 0.2, GROW_MOST = 5;
 static const double STAYS_FROM = 0.9, STAYS_TO = 1.2;
-/* What is left of a step whose stages could not be solved. */
+/* Share to which a step is cut if its stages could not be solved. */
 static const double RETRY = 0.25;
-/* The first step: in it the rates may move the state by so many tolerances. */
+/* The first step: the rates may move the state by this many tolerances. */
 static const double FIRST = 0.1;
-/* As sim/solve/integrator.c has it: a gamma that is off by more calls for its own matrix. */
+/* Largest change of gamma without a new matrix, as in sim/solve/integrator.c. */
 static const double GAMMA_CHANGE = 0.005;
-/* A matrix that leaves more than this of a correction is made anew. */
+/* A matrix whose correction leaves more than this of the error is made anew. */
 static const double SLOW = 0.2;
 static const double RATE_KEPT = 0.3; /* of the old estimate of the convergence */
 enum { ITERATIONS_MOST = 20, HALVINGS_MOST = 5, ATTEMPTS_MOST = 30, MATRIX_STEPS = 50 };
 
-/* What is to be done with the matrix: nothing; formed for another gamma; and of other blocks too. */
+/* Treatment of the matrix: kept; formed for another gamma; or with new blocks too. */
 typedef enum Matrix { MATRIX_STAYS, MATRIX_FORMED, MATRIX_ANEW } Matrix;
 
 struct Esdirk {
@@ -31,21 +31,21 @@ struct Esdirk {
     double *y;
     const double *weight;
     IntegratorStats *stats;
-    double share, longest; /* of the error's tolerance; s, 0: any */
+    double share, longest; /* of the error's tolerance; s, 0: unlimited */
     VectorQueue queue;
     int size;
-    double *room;                      /* the vectors below, one after the other */
+    double *room;                      /* the vectors below, in one block */
     double *rate[2][ESDIRK_STAGES];    /* of the stages: of this step, [now], and of the one before */
-    double *base, *stage, *correction; /* (OS5): what is known of a stage, the stage, what is missing */
+    double *base, *stage, *correction; /* (OS5): known part of a stage, the stage, its correction */
     double *error;
     int now;
-    int begun;           /* rate[now][0] is that of y */
-    int past;            /* the other rates are those of a step of length `last` */
+    int begun;           /* 1: rate[now][0] is that of y */
+    int past;            /* 1: the other rates are those of a step of length `last` */
     double next, last;   /* s */
     double error_before; /* norm of the last accepted step's error */
-    double gamma;        /* s, of the matrix; 0: there is none */
+    double gamma;        /* s, of the matrix; 0: none */
     double convergence;  /* of Newton's iteration, with this matrix */
-    long matrix_step;    /* when its blocks were made */
+    long matrix_step;    /* step at which its blocks were made */
 };
 
 /* ESDIRK3(2)5L[2]SA of C. A. Kennedy and M. H. Carpenter, Diagonally implicit Runge-Kutta methods for stiff ODEs,
@@ -69,7 +69,7 @@ const EsdirkTableau *esdirk_tableau(void) { return &tableau; }
 
 enum { VECTORS = 2 * ESDIRK_STAGES + 4 };
 
-/* Room for vectors of the motion's size; 0 if there is no memory. */
+/* Allocates vectors of the motion's size; 0 if there is no memory. */
 static int vectors_new(Esdirk *e)
 {
     const int size = e->motion->size, stride = (size + LANES - 1) / LANES * LANES;
@@ -135,7 +135,7 @@ static int rates_at(Esdirk *e, double t, const double *y, double *rates)
 
 /* ------------------------------------------------------------------------------------------------- Newton */
 
-/* The matrix for gamma, with blocks of where the rates were evaluated last if it is to be made anew. */
+/* The matrix for gamma; if it is due anew, with blocks of the last evaluation of the rates. */
 static int matrix_make(Esdirk *e, double gamma, Matrix due, double t, const double *rates)
 {
     const double start = clock_now();
@@ -161,7 +161,7 @@ static Matrix matrix_due(const Esdirk *e, double gamma)
     return fabs(gamma / e->gamma - 1) > GAMMA_CHANGE ? MATRIX_FORMED : MATRIX_STAYS;
 }
 
-/* What is missing at e->stage, whose rates were evaluated last (OS5), solved for. */
+/* Residual at e->stage, whose rates were evaluated last (OS5), solved for the correction. */
 static int correct(Esdirk *e, double gamma, double *rates)
 {
     combine(e, 3, (double[]){1, gamma, -1}, (double *[]){e->base, rates, e->stage}, e->correction);
@@ -172,8 +172,8 @@ static int correct(Esdirk *e, double gamma, double *rates)
     return bad;
 }
 
-/* A correction that is larger than the one before it, both by matrices of where they begin, led off: back by half of
- * the way that the one before, which e->error holds, went. */
+/* A correction that is larger than the one before it, both by new matrices, diverges: goes back by half of the previous
+ * one, which e->error holds. */
 static void go_back(Esdirk *e)
 {
     combine(e, 2, (double[]){1, -0.5}, (double *[]){e->stage, e->error}, e->stage);
@@ -189,7 +189,7 @@ static void go_on(Esdirk *e)
     e->error = made;
 }
 
-/* Solves stage i, which ends at t, for its rates, the guess of which they hold at first (OS5)-(OS7). */
+/* Solves stage i, which ends at t, for its rates; on entry they hold a guess (OS5)-(OS7). */
 static EsdirkEnd stage_solve(Esdirk *e, int i, double t, double gamma)
 {
     double *const rates = e->rate[e->now][i];
@@ -224,7 +224,7 @@ static EsdirkEnd stage_solve(Esdirk *e, int i, double t, double gamma)
 
 /* ------------------------------------------------------------------------------------------------- a step */
 
-/* Where a node is, in steps of length h from this one's begin. */
+/* Place of a node, in steps of length h from the beginning of this one. */
 static double node_at(const Esdirk *e, int node, double h)
 {
     return node >= 0 ? tableau.c[node] : (tableau.c[ESDIRK_BEFORE(node)] - 1) * e->last / h;
@@ -250,7 +250,7 @@ static void guess(Esdirk *e, int i, double h)
     combine(e, n, share, x, e->rate[e->now][i]);
 }
 
-/* All stages of a step of length h, none beyond `stop`; e->stage is its end, e->error its error (OS2), (OS3). */
+/* Solves all stages of a step of length h, none beyond `stop`; e->stage is its end, e->error its error (OS2), (OS3). */
 static EsdirkEnd stages_solve(Esdirk *e, double t, double h, double stop)
 {
     double *x[ESDIRK_STAGES + 1] = {e->y}, share[ESDIRK_STAGES + 1] = {1};
@@ -279,8 +279,8 @@ static double step_factor(const Esdirk *e, double error)
     return fmin(fmax(factor, SHRINK_MOST), GROW_MOST);
 }
 
-/* y, of which the rates are not known yet: a step that they allow, or a share of what is allowed where they are
- * nothing. */
+/* Begins at y, whose rates are not known yet: a first step limited by the rates, or a share of the allowed one if they
+ * are zero. */
 static EsdirkEnd begin(Esdirk *e, double t, double most)
 {
     double *const rates = e->rate[e->now][0];
@@ -292,7 +292,7 @@ static EsdirkEnd begin(Esdirk *e, double t, double most)
     return ESDIRK_DONE;
 }
 
-/* The step that was tried becomes the state: what it ends with is what the next begins with. */
+/* Makes the tried step the state: its last rates are the first of the next step. */
 static void accept(Esdirk *e, double h, double error)
 {
     memcpy(e->y, e->stage, (size_t)e->size * sizeof *e->y);
@@ -309,8 +309,8 @@ static void accept(Esdirk *e, double h, double error)
     ++e->stats->steps;
 }
 
-/* Judges a step of length h whose stages are solved; whether it is accepted. One that was cut short says nothing
- * against longer ones. */
+/* Decides whether a step of length h with solved stages is accepted. One that was cut short is no argument against
+ * longer ones. */
 static int judge(Esdirk *e, double h)
 {
     const double error = norm_of(e, e->error), factor = step_factor(e, error);
@@ -325,9 +325,9 @@ static int judge(Esdirk *e, double h)
     return 1;
 }
 
-/* The length of the step to try, `left` before the stop: one that would leave next to nothing takes it along, and of
- * what is left for two steps each takes half. Rates come from differences over a step (OS6), and one of a rounding
- * error's length would leave nothing of them. */
+/* Length of the step to try, `left` before the stop: if it would leave almost nothing it is extended to the stop, and a
+ * rest of less than two steps is halved. Rates come from differences over a step (OS6), and in one as short as a
+ * rounding error they would be lost. */
 static double length_of(const Esdirk *e, double left)
 {
     const double next = e->longest > 0 ? fmin(e->next, e->longest) : e->next;

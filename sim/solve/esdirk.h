@@ -1,7 +1,7 @@
 /* A one-step method: diagonally implicit Runge-Kutta steps whose first stage is explicit (ESDIRK), stiffly accurate and
- * L-stable, with an embedded estimate of their error. Nothing but the rates at the last step's end goes on from a step
- * to the next, so that nothing has to be begun anew where the motion changes. docs/model.md, "One-step integration".
- * sim/solve/integrator.h is what the rest of the program sees of it. */
+ * L-stable, with an embedded estimate of their error. Only the rates at the last step's end are passed from step to
+ * step, so that the method needs no restart where the motion changes. docs/model.md, "One-step integration". The rest
+ * of the program uses it through sim/solve/integrator.h. */
 #ifndef HAWSER_SIM_SOLVE_ESDIRK_H
 #define HAWSER_SIM_SOLVE_ESDIRK_H
 
@@ -9,7 +9,7 @@
 
 enum { ESDIRK_STAGES = 5, ESDIRK_ORDER = 3, ESDIRK_NODES = 3 };
 
-/* A stage's number in place of a node: that of the step before. */
+/* Number of a node that is a stage of the step before. */
 #define ESDIRK_BEFORE(stage) (-1 - (stage))
 
 /* Coefficients of the method (OS4). The last row of a is b: stiffly accurate. */
@@ -18,37 +18,38 @@ typedef struct EsdirkTableau {
     double c[ESDIRK_STAGES];                /* a stage's place in the step */
     double a[ESDIRK_STAGES][ESDIRK_STAGES]; /* lower triangle */
     double embedded[ESDIRK_STAGES];         /* weights of the method of order - 1 */
-    int node[ESDIRK_STAGES][ESDIRK_NODES];  /* stages from whose rates a stage's are guessed (OS8) */
+    int node[ESDIRK_STAGES][ESDIRK_NODES];  /* stages whose rates give the guess for a stage's rates (OS8) */
 } EsdirkTableau;
 const EsdirkTableau *esdirk_tableau(void);
 
 typedef struct Esdirk Esdirk;
 
-/* What became of a step that was tried. */
+/* Result of a step that was tried. */
 typedef enum EsdirkEnd {
     ESDIRK_DONE,
-    ESDIRK_NO_RATES,   /* the equations of motion were not finite, however small the step */
+    ESDIRK_NO_RATES,   /* the equations of motion were not finite at any step length */
     ESDIRK_NO_NEWTON,  /* Newton's iteration did not converge */
     ESDIRK_NO_FACTORS, /* the matrix could not be factored */
     ESDIRK_INEXACT,    /* the error stayed too large */
     ESDIRK_NO_MEMORY,  /* for the factors */
-    ESDIRK_STUCK       /* a step that might do is too small to change t */
+    ESDIRK_STUCK       /* the step needed is too small to change t */
 } EsdirkEnd;
 
-/* share: what Newton's iteration may leave, of the error's tolerance; longest: a step, s (0: any). The motion, y
- * [motion->size], its weights and the counts are borrowed; it counts rates, iterations, matrices and what failed. NULL
- * if there is no memory. */
+/* share: tolerance of Newton's iteration over that of the error; longest: a step, s (0: unlimited). The motion, y
+ * [motion->size], its weights and the counts are borrowed; it counts rates, iterations, matrices and failures. NULL if
+ * there is no memory. */
 Esdirk *esdirk_new(Motion *motion, double *y, const double *weight, double share, double longest,
                    IntegratorStats *stats);
 Esdirk *esdirk_free(Esdirk *e);
-/* One step from *t, not beyond `stop` (s): y and *t hold its end, or what they held if it failed. */
+/* Makes one step from *t, not beyond `stop` (s): y and *t hold its end, or remain unchanged if it failed. */
 EsdirkEnd esdirk_step(Esdirk *e, double stop, double *t);
 /* The length of the next step, s; 0 before the first one. */
 double esdirk_next(const Esdirk *e);
-/* [size] the latest step's error, as its embedded method has it; and the rates at its end (OS6). */
+/* [size] the latest step's error by its embedded method; and the rates at its end (OS6). */
 const double *esdirk_error(const Esdirk *e);
 const double *esdirk_rates(const Esdirk *e);
-/* y and the weights are others now, of the motion's new size; see integrator_reshape. 0 if there is no memory. */
+/* Continues with another y and other weights, of the motion's new size; see integrator_reshape. 0 if there is no
+ * memory. */
 int esdirk_reshape(Esdirk *e, const Reshape *reshape, const double *weight);
 void esdirk_checkpoint(Checkpoint *c, Esdirk *e);
 

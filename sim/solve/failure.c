@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "sim/equipment/winch.h"
 
-/* What is known of scenes whose steps become too small at segment i. Nothing keeps the attitude of a limp cable's
- * head on an axial grip. A limp cable on a roller as bent as itself has no point that is
- * nearest, see (C6): said where a roller may take the cable over more than two segments. */
+/* Text on known weaknesses of scenes whose steps become too small at segment i. Nothing holds the attitude of a limp
+ * cable's head on an axial grip. A limp cable on a roller with the same curvature has no nearest point, see (C6):
+ * reported where a roller may touch the cable over more than two segments. */
 static const char *hint_for(const Scene *scene, int i)
 {
     double largest = 0;
@@ -45,10 +45,10 @@ static const char *advice_for(int flag)
     }
 }
 
-/* Where it was worst: which segment of the whole chain, and of which chain of several. */
+/* Place of the largest error: index of the segment in the whole chain, and the chain among several. */
 typedef struct Worst {
     const Scene *scene;
-    int among, segment; /* of the simulated ones, of all */
+    int among, segment; /* among those simulated, in the whole chain */
     char says[64 + NAME_MAX_LENGTH];
 } Worst;
 

@@ -21,7 +21,7 @@
 #include "sim/solve/failure.h"
 #include "sim/solve/scales.h"
 
-/* What SUNDIALS' serial vector keeps, so that its own operations go on working, and the norm with whom to ask. */
+/* Content of SUNDIALS' serial vector, so that its own operations keep working, with the norm and its owner. */
 typedef struct VectorContent {
     struct _N_VectorContent_Serial serial; /* first */
     VectorNorm norm;
@@ -31,7 +31,7 @@ typedef struct VectorContent {
 
 static int length_of(N_Vector v) { return (int)NV_LENGTH_S(v); }
 
-/* Does what waits for the vector's family. */
+/* Carries out the waiting tasks of the vector's family. */
 static void settle(N_Vector v)
 {
     const VectorContent *const content = v->content;
@@ -45,13 +45,13 @@ static VectorTask *task_begin(N_Vector z, VectorTask *alone)
     return content->family ? vector_queue_next(&content->family->queue, length_of(z)) : alone;
 }
 
-/* Done at once if it has no queue to wait in. */
+/* Carries the task out at once if there is no queue. */
 static void task_end(N_Vector z, const VectorTask *task, const VectorTask *alone)
 {
     if (task == alone) vector_task_run(task, length_of(z));
 }
 
-/* ------------------------------------------------------------------------------------------ what can wait */
+/* ------------------------------------------------------------------------------------------ deferred operations */
 
 static void op_linear_sum(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z)
 {
@@ -106,7 +106,7 @@ static int op_scale_add_multi(int terms, sunrealtype *a, N_Vector x, N_Vector *y
     return 0;
 }
 
-/* ------------------------------------------------------------------------------------------ what cannot */
+/* ------------------------------------------------------------------------------------------ immediate operations */
 
 static sunrealtype *op_data(N_Vector v)
 {
@@ -121,7 +121,7 @@ static sunrealtype op_norm(N_Vector x, N_Vector w)
     return content->norm(content->owner, NV_DATA_S(x), NV_DATA_S(w));
 }
 
-/* What CVODE asks for before its first step is SUNDIALS' own, of numbers that are there. */
+/* Operations that CVODE uses before its first step only are SUNDIALS' own; no task is waiting then. */
 
 static void op_product(N_Vector x, N_Vector y, N_Vector z)
 {
@@ -173,7 +173,7 @@ static sunrealtype op_least(N_Vector x)
 
 /* ------------------------------------------------------------------------------------------ life */
 
-/* Into the family's list; 0 if there is no memory. */
+/* Adds to the family's list; 0 if there is no memory. */
 static int family_add(VectorFamily *family, N_Vector v)
 {
     if (!family) return 1;
@@ -244,7 +244,7 @@ static N_Vector op_clone(N_Vector like)
     return family && family->n_spare > 0 ? family->spare[--family->n_spare] : vector_clone(like);
 }
 
-/* Operations that are not listed would read numbers that wait to be computed: there are none. */
+/* Operations that are not replaced would read numbers that are still to be computed: they are removed. */
 static void use_ours(N_Vector v)
 {
     const struct _generic_N_Vector_Ops none = {0}, theirs = *v->ops;
@@ -274,7 +274,7 @@ static void use_ours(N_Vector v)
 N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
                      SUNContext context)
 {
-    /* the serial vector lends its other operations; its content makes room for ours, which begins like it */
+    /* the serial vector provides its other operations; its content is replaced by ours, which begins with it */
     N_Vector v = N_VNewEmpty_Serial(length, context);
     if (!v) return NULL;
     free(v->content);
@@ -425,23 +425,23 @@ static int messages_keep(SUNContext context, void *cvode, char message[MESSAGE_L
 
 enum { STALLED_MOST = 20 };
 
-/* The change of gamma that calls for a new matrix (CVODE's default: 0.3): with sliding contacts CVODE takes a single
- * iteration for enough long after a matrix has become a poor one, and steps that grow by a few per cent are rare. */
+/* Change of gamma that requires a new matrix (CVODE's default: 0.3): with sliding contacts CVODE accepts a single
+ * iteration long after a matrix has become poor, and steps that grow by a few per cent are rare. */
 static const double GAMMA_CHANGE = 0.005;
 
 struct Integrator {
     Motion *motion;
     double *y;
     double *weight;         /* [size] 1 / absolute tolerance */
-    const double *weighted; /* CVODE's array that holds them already; NULL: none does */
-    double way;             /* m, that a step may move the chain by; INFINITY: any */
-    double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
-    double stop;            /* s, the stop time that CVODE knows */
-    double bound;           /* s, that a step may take, 0: any (integrator_bound) */
-    double gamma;           /* s, of the matrix that is factored */
-    int stalled, lack;      /* steps in a row that were too small to change t; memory was lacking for the matrix */
-    int still;              /* integrator_prepare: nothing moves, and nothing is computed */
-    Esdirk *esdirk;         /* NULL: CVODE moves, and all below is there */
+    const double *weighted; /* CVODE's array that already has them; NULL: none */
+    double way;             /* m, largest motion of the chain per step; INFINITY: unlimited */
+    double speed, speed_at; /* m/s, of the chain before the last step; s, its time, < 0: none */
+    double stop;            /* s, the stop time set in CVODE */
+    double bound;           /* s, longest step, 0: unlimited (integrator_bound) */
+    double gamma;           /* s, of the factored matrix */
+    int stalled, lack;      /* steps in a row that were too small to change t; 1: no memory for the matrix */
+    int still;              /* integrator_prepare: rates are zero and nothing is computed */
+    Esdirk *esdirk;         /* NULL: CVODE integrates, and everything below exists */
     void *cvode;
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
@@ -450,8 +450,8 @@ struct Integrator {
     CustomLinear linear;
     ContactNewton newton;
     IntegratorStats stats;
-    IntegratorStats before;         /* counts of CVODE's from before it was started anew */
-    char complaint[MESSAGE_LENGTH]; /* what CVODE reported last */
+    IntegratorStats before;         /* CVODE's counts from before its last restart */
+    char complaint[MESSAGE_LENGTH]; /* CVODE's last message */
 };
 
 /* ---------------------------------------------------------------- CVODE's call-backs; `user` is the Integrator */
@@ -466,20 +466,20 @@ static int call_rates(sunrealtype t, N_Vector y, N_Vector ydot, void *user)
     }
     const int bad = in->motion->ops->rates(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot));
     in->stats.rhs += clock_now() - start;
-    return bad; /* > 0: a smaller step may do */
+    return bad; /* > 0: a smaller step may succeed */
 }
 
 static int call_weights(N_Vector y, N_Vector weight, void *user)
 {
     (void)y;
     Integrator *const in = user;
-    double *const data = NV_DATA_S(weight); /* nothing waits to be done with it */
+    double *const data = NV_DATA_S(weight); /* no task waits for it */
     if (data != in->weighted) memcpy(data, in->weight, (size_t)in->motion->size * sizeof(double));
     in->weighted = data;
     return 0;
 }
 
-/* CVODE's setup: new blocks when asked for, the matrix for this gamma always. */
+/* CVODE's setup: new blocks on request, the matrix for this gamma always. */
 static int call_system(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix a, sunbooleantype jok, sunbooleantype *jcur,
                        sunrealtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
 {
@@ -533,7 +533,7 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     (void)a, (void)tolerance;
     Integrator *const in = s->content;
     const double start = clock_now();
-    if (x != b) vector_take(x, b); /* CVODE goes on by copying x to b */
+    if (x != b) vector_take(x, b); /* CVODE continues by copying x to b */
     if (in->still) return 0;
     const int status = in->motion->ops->solve(in->motion, N_VGetArrayPointer(x));
     in->stats.solve += clock_now() - start;
@@ -551,7 +551,7 @@ static int solvers_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* s; 0: as long as it likes, as CVODE says that too. */
+/* s; 0: unlimited, as in CVODE. */
 static double longest_step(const Integrator *in)
 {
     const SceneDef *const def = &in->motion->scene->def;
@@ -575,15 +575,15 @@ static int cvode_set(Integrator *in)
     return !bad && solvers_attach(in);
 }
 
-/* The state of now is one that can be gone back to. */
+/* Stores the present state so that the integrator can return to it. */
 static void state_keep(Integrator *in)
 {
     N_VScale(1.0, in->state, in->good);
-    vector_family_settle(&in->family); /* from here on numbers are looked at */
+    vector_family_settle(&in->family); /* from here on the numbers are read */
 }
 
 /* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
- * predicts in place, and tells where. NULL if it does not. */
+ * predicts in place and returns its address. NULL if it does not. */
 static N_Vector history_state(const Integrator *in)
 {
     sunrealtype t, gamma, rl1;
@@ -593,8 +593,8 @@ static N_Vector history_state(const Integrator *in)
     return flag == CV_SUCCESS ? predicted : NULL;
 }
 
-/* Whether reshaping can rely on history_state: when CVODE starts, that vector is a copy of the state and none of ours.
- * A version of SUNDIALS for which this is not so must not be built with: cmake/sundials_version.cmake. */
+/* Checks that reshaping can rely on history_state: when CVODE starts, that vector is a copy of the state and not one of
+ * ours. A version of SUNDIALS without this property must not be used: cmake/sundials_version.cmake. */
 static hawser_status history_check(Integrator *in, hawser_error *err)
 {
     N_Vector v = history_state(in);
@@ -609,15 +609,15 @@ static hawser_status history_check(Integrator *in, hawser_error *err)
                      version);
 }
 
-/* Vectors that CVODE makes while it is set up, at most: Nordsieck's array up to order 5, weights, corrections and
+/* Largest number of vectors that CVODE creates at setup: Nordsieck's array up to order 5, weights, corrections and
  * scratch, those of its solvers. */
 enum { VECTORS_MOST = 24 };
 
-/* Bytes that are enough for SUNContext_Create. */
+/* Bytes sufficient for SUNContext_Create. */
 enum { CONTEXT_ROOM = 1 << 14 };
 
-/* 0 if there is no memory. Where CVodeInit finds none it destroys the vectors that it has made, and CVodeFree would
- * destroy them again: nothing but its own structure is left then. */
+/* Returns 0 if there is no memory. If CVodeInit runs out of memory it destroys the vectors that it has created, and
+ * CVodeFree would destroy them again: only its own structure is freed then. */
 static int cvode_new(Integrator *in, double t)
 {
     in->cvode = CVodeCreate(CV_BDF, in->context);
@@ -630,7 +630,7 @@ static int cvode_new(Integrator *in, double t)
     return 0;
 }
 
-/* 0 if there is no memory. SUNContext_Create does not look whether its logger has got some. */
+/* Returns 0 if there is no memory. SUNContext_Create does not check whether its logger has memory. */
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
@@ -647,7 +647,7 @@ static int integrator_start(Integrator *in, double t)
     return set;
 }
 
-/* Weights and the method that was chosen. */
+/* Sets weights and creates the chosen method. */
 static hawser_status method_start(Integrator *in, double t, hawser_error *err)
 {
     const Scene *const scene = in->motion->scene;
@@ -689,7 +689,7 @@ Integrator *integrator_free(Integrator *in)
     return NULL;
 }
 
-/* CVODE's history holds them: Nordsieck's array has h y' beside y. */
+/* They are in CVODE's history: Nordsieck's array has h y' beside y. */
 const double *integrator_rates(Integrator *in, double *h)
 {
     sunrealtype t, gamma, rl1;
@@ -749,19 +749,19 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
 {
     const StepFailure failure = failure_at(in, t);
     if (in->good) N_VScale(1.0, in->good, in->state);
-    vector_family_settle(&in->family); /* which has no members where CVODE does not move */
+    vector_family_settle(&in->family); /* which has no members if CVODE is not used */
     return in->lack || flag == CV_MEM_FAIL ? error_memory(err) : failure_tell(&failure, flag, err);
 }
 
-/* solver.max_steps, if given, is used up. */
+/* Checks whether solver.max_steps, if given, is used up. */
 static int steps_spent(const Integrator *in)
 {
     const long limit = in->motion->scene->def.solver.max_steps;
     return limit > 0 && steps_made(in) >= limit;
 }
 
-/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
- * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
+/* End of the step from t: `stop`, or less if the chain would move too far before it (N14), (N15). Before the first step
+ * CVODE reports a length of 0; a chain at rest moves little in that step. */
 static double stride_end(Integrator *in, double t, double stop)
 {
     if (!(in->way < INFINITY)) return stop;
@@ -778,7 +778,7 @@ static double stride_end(Integrator *in, double t, double stop)
     return t + longest;
 }
 
-/* `end`, or sooner if the step would be longer than it may be: to within rounding CVODE keeps to that itself then. */
+/* `end`, or earlier if the step would be longer than allowed: CVODE itself keeps the limit up to rounding then. */
 static double bounded_end(Integrator *in, double t, double end)
 {
     static const double ROUNDING = 1e-6;
@@ -786,7 +786,7 @@ static double bounded_end(Integrator *in, double t, double end)
     return in->bound > 0 && step > (1 + ROUNDING) * in->bound ? fmin(end, t + in->bound) : end;
 }
 
-/* One step of the method's, as CVode returns: 0 or more, or what went wrong. */
+/* Makes one step of the method and returns as CVode does: 0 or more, or an error. */
 static int method_step(Integrator *in, double stop, double end, double *reached)
 {
     static const int flag[] = {
@@ -822,7 +822,7 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     return status;
 }
 
-/* One-step methods take so little of a swing that they need no bound (OS11). */
+/* One-step methods damp oscillations so little that they need no bound (OS11). */
 void integrator_bound(Integrator *in, double longest)
 {
     if (in->esdirk) return;
@@ -844,7 +844,7 @@ static void call_map(const void *user, N_Vector which, const double *from, doubl
     call->reshape->map(call->reshape->user, which == call->history_state, from, to);
 }
 
-/* What is kept beside CVODE's vectors; 0 if there is no memory. */
+/* Renews the arrays beside CVODE's vectors; 0 if there is no memory. */
 static int arrays_renew(Integrator *in, const Reshape *reshape)
 {
     double *const weight = malloc((size_t)reshape->size * sizeof(double));
@@ -857,7 +857,8 @@ static int arrays_renew(Integrator *in, const Reshape *reshape)
     return 1;
 }
 
-/* Newton's matrix at (t, y) with the step that CVODE believes it to be made for: CVODE does not know that it is new. */
+/* Makes Newton's matrix at (t, y) for the step for which CVODE assumes it was made: CVODE does not know that it is
+ * new. */
 static int matrix_renew(Integrator *in, double t)
 {
     const double start = clock_now();
@@ -887,7 +888,7 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
     if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
         return error_memory(err);
     state_keep(in);
-    /* without its history the method has to start again; so it must before its first step, where it has none */
+    /* without its history the method has to restart; so it must before its first step, when it has none */
     long steps = 0;
     CVodeGetNumSteps(in->cvode, &steps);
     double last = 0;
@@ -927,7 +928,7 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
     const IntegratorStats *const before = &in->before;
     *stats = in->stats;
-    if (in->esdirk) return; /* it counts for itself, and goes on counting */
+    if (in->esdirk) return; /* it keeps its own counts */
     cvode_counts(in->cvode, stats);
     CVodeGetLastStep(in->cvode, &stats->last_step);
     stats->steps += before->steps;

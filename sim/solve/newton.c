@@ -12,8 +12,8 @@
 
 enum { POINT_ARRAYS = 17 }; /* from Newton.mass to w */
 
-/* Blocks and arrays for nw->n segments, masses 1; 0 if there is no memory (what there is stays for the free, which may
- * be called on a zeroed struct). `extra` doubles are added to x for unknowns behind the chain's. */
+/* Allocates blocks and arrays for nw->n segments, masses 1; 0 if there is no memory (what exists stays for the free,
+ * which may be called on a zeroed struct). `extra` doubles are added to x for unknowns behind the chain's. */
 static int newton_parts_new(Newton *nw, int extra)
 {
     const int n = nw->n;
@@ -66,7 +66,7 @@ static NewtonExtra *newton_extra_free(NewtonExtra *extra)
     return NULL;
 }
 
-/* Room and places for the pattern that there is now; 0 if there is no memory. */
+/* Allocates for the present pattern and fills in its places; 0 if there is no memory. */
 static int pattern_follow(NewtonExtra *extra)
 {
     const BlockExtras *const from = extra->from;
@@ -103,7 +103,7 @@ void newton_extra_form(Newton *nw)
     }
 }
 
-/* The ordering that the first solver chose by measuring serves the next patterns too: they are much alike. */
+/* The ordering that the first solver chose by measuring is used for later patterns too: they are much alike. */
 static void ordering_keep(NewtonExtra *extra, const LinStats *stats)
 {
     if (extra->options.ordering != ORDER_AUTO || !stats->ordering || strcmp(stats->name, "klu") != 0) return;
@@ -121,7 +121,7 @@ static void counts_add(LinStats *sum, const LinStats *more)
     sum->solves += more->solves;
 }
 
-/* A solver for the pattern of m in place of the one before. */
+/* Replaces the solver by one for the pattern of m. */
 static int solver_renew(Newton *nw, const NewtonMatrix *m)
 {
     NewtonExtra *const extra = nw->extra;
@@ -137,7 +137,7 @@ static int solver_renew(Newton *nw, const NewtonMatrix *m)
     return 1;
 }
 
-/* The chain with what the equipment and the extra blocks add. */
+/* The chain's matrix with the blocks of equipment and extra blocks. */
 static NewtonMatrix matrix_of(const Newton *nw)
 {
     NewtonMatrix m = nw->matrix;
@@ -147,14 +147,14 @@ static NewtonMatrix matrix_of(const Newton *nw)
     return m;
 }
 
-/* A new solver because the rest of the matrix has another pattern; 0 if there is no memory. */
+/* Makes a new solver because the rest of the matrix has another pattern; 0 if there is no memory. */
 static int newton_extra_renew(Newton *nw)
 {
     const NewtonMatrix m = matrix_of(nw);
     return nw->extra->failed ? 0 : solver_renew(nw, &m);
 }
 
-/* Factors A with the blocks, with a new solver if their pattern has changed; as linsolver_factor. */
+/* Factors A with the blocks, with a new solver if their pattern has changed; returns as linsolver_factor. */
 static int newton_extra_factor(Newton *nw)
 {
     NewtonExtra *const extra = nw->extra;
@@ -166,10 +166,10 @@ static int newton_extra_factor(Newton *nw)
 
 void newton_extra_couple(Newton *nw) { block_extras_gemv(nw->extra->from, 1, nw->z, nw->x); }
 
-/* Adds the counts of solvers given up. */
+/* Adds the counts of replaced solvers. */
 static void newton_extra_stats(const NewtonExtra *extra, LinStats *stats) { counts_add(stats, &extra->retired); }
 
-/* Room for the places and blocks that were saved; 0 if there is no memory. */
+/* Makes room for the places and blocks that were saved; 0 if there is no memory. */
 static int pattern_room(NewtonExtra *extra, int count)
 {
     free(extra->a);
@@ -183,7 +183,7 @@ static int pattern_room(NewtonExtra *extra, int count)
     return extra->a && extra->filled && extra->block;
 }
 
-/* The blocks of the matrix as it is factored, and its solver. */
+/* Saves or loads the blocks of the matrix as it is factored, and its solver. */
 static void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
 {
     NewtonExtra *const extra = nw->extra;
@@ -218,14 +218,14 @@ static void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
     if (!extra->stale) linsolver_checkpoint(c, nw->solver, &m);
 }
 
-/* What (SP11) and (SP12) need of one roller at the linearisation point. */
+/* Data of one roller at the linearisation point, for (SP11) and (SP12). */
 typedef struct RollerPoint {
     const MovingRoller *item;
     RollerLoad load;
     Vec3 b, w;           /* axis; angular velocity of the mount */
     double s;            /* of the spin, rad/s */
     double torque, d_om; /* bearing and motor: T + T_m and its derivative by the relative speed */
-    Vec3 t;              /* and by the force on the roller */
+    Vec3 t;              /* the same with the force on the roller */
 } RollerPoint;
 
 static int spins(const RollerPoint *r) { return r->item->spin >= 0; }
@@ -264,7 +264,7 @@ static void multiply_add(int rows, int inner, int cols, const double *a, const d
 }
 
 /* rows [6][size]: the roller's own rows from those of [force; moment]: the spin's is (t, b), and a mount under a spin
- * feels the moment without it (SP12). */
+ * receives the moment without that component (SP12). */
 static void rows_map(const RollerPoint *r, double *rows)
 {
     const int size = r->item->size, spin = size - 1;
@@ -301,7 +301,8 @@ static void columns_map(const RollerPoint *r, double *speeds, double *turns)
     }
 }
 
-/* What does not come from the contacts' derivatives: the axis turns under moments, bearing and gyroscope (SP12). */
+/* Adds what does not come from the contacts' derivatives: the axis turns under moments, bearing and gyroscope
+ * (SP12). */
 static void own_add(const RollerPoint *r, RollerLeaf *leaf)
 {
     const int size = leaf->size, spin = size - 1;
@@ -328,7 +329,7 @@ static void own_add(const RollerPoint *r, RollerLeaf *leaf)
     }
 }
 
-/* The bushing's derivatives onto a mount's six rows and columns. */
+/* Adds the bushing's derivatives to a mount's six rows and columns. */
 static void bushing_add(const EquipmentWork *w, int mount, RollerLeaf *leaf)
 {
     const double *const k = w->k.diag + 36 * (2 * mount + 1), *const d = w->d.diag + 36 * (2 * mount + 1);
@@ -338,10 +339,11 @@ static void bushing_add(const EquipmentWork *w, int mount, RollerLeaf *leaf)
     }
 }
 
-/* K and D of moving roller k: own, into and from, all of what it touches, into leaf; friction scales the bearing. */
+/* Writes K and D of moving roller k into leaf: own, and into and from all segments that it touches; friction scales the
+ * bearing. */
 static void roller_blocks(const EquipmentWork *w, int k, const double *e, double friction, RollerLeaf *leaf)
 {
-    if (w->held && leaf->positions) { /* couples with nothing, so that it stays where it is */
+    if (w->held && leaf->positions) { /* couples with nothing, so that it does not move */
         leaf->touched = 0;
         leaf->turning = v3(0, 0, 0);
         memset(leaf->k_own, 0, sizeof leaf->k_own);
@@ -355,7 +357,8 @@ static void roller_blocks(const EquipmentWork *w, int k, const double *e, double
     rows_map(&r, rows);
     columns_map(&r, speeds, turns);
     leaf->turning = r.w;
-    /* K by positions = K + D turns, D by unknowns = D speeds; each times rows from the left where the roller's */
+    /* K by positions = K + D turns, D by unknowns = D speeds; each multiplied by rows from the left for the roller's
+     * own rows */
     double by_pose[36], own[6 * ROLLER_UNKNOWNS] = {0};
     memcpy(by_pose, sum->own[0], sizeof by_pose);
     multiply_add(6, 6, 6, sum->own[1], turns, by_pose);
@@ -379,14 +382,15 @@ static void roller_blocks(const EquipmentWork *w, int k, const double *e, double
 }
 
 enum {
-    ROOM = 4,        /* segments that a leaf's blocks have room for, as in roller_motion.c */
+    ROOM = 4,        /* capacity of a leaf in segments, as in rollers.c */
     ROOM_WIDE = 128, /* the same for a roller in the border */
-    WIDE_MOST = 3    /* linearisations in a row at which a roller may touch too much before it goes to the border */
+    WIDE_MOST = 3    /* linearisations in a row at which a roller may touch too many segments before it moves to the
+                      * border */
 };
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* Room for so many segments, none touched yet; 0 if there is no memory. */
+/* Makes room for that many segments, none touched yet; 0 if there is no memory. */
 static int item_room(RollerLeaf *item, int room)
 {
     free(item->touch);
@@ -406,7 +410,8 @@ static void item_fill(RollerLeaf *item, const MovingRoller *roller)
     if (roller->spin >= 0) item->mass[item->size - 1] = roller->inertia;
 }
 
-/* Leaves first, then the border; pointers into the blocks, which the form fills. Returns the border's width. */
+/* Orders leaves first, then the border; sets pointers into the blocks, which the form fills. Returns the border's
+ * width. */
 static int order_fill(NewtonLeaves *l, int n)
 {
     int first = 6 * n, leaves = 0, border = 0;
@@ -430,7 +435,7 @@ static int order_fill(NewtonLeaves *l, int n)
     return border;
 }
 
-/* The border's columns, rows and corner for the present order; 0 if there is no memory. */
+/* Allocates the border's columns, rows and corner for the present order; 0 if there is no memory. */
 static int border_alloc(NewtonLeaves *l)
 {
     free(l->right);
@@ -449,7 +454,7 @@ static int border_alloc(NewtonLeaves *l)
     return w == 0 || (l->right && l->bottom && l->corner);
 }
 
-/* Around nw->a, into nw->matrix. Errors: MEMORY. */
+/* Builds around nw->a, into nw->matrix. Errors: MEMORY. */
 static hawser_status newton_leaves_new(Newton *nw, const Equipment *q, hawser_error *err)
 {
     NewtonLeaves *const l = calloc(1, sizeof *l);
@@ -490,14 +495,14 @@ static NewtonLeaves *newton_leaves_free(NewtonLeaves *l)
 
 /* ------------------------------------------------------------------------------------------------- linearisation */
 
-/* Whether all that a roller touches is two neighbouring segments. */
+/* Checks whether a roller touches two neighbouring segments at most. */
 static int fits_leaf(const RollerLeaf *item)
 {
     if (item->touched < 2) return 1;
     return item->touched == 2 && abs(item->touch[0].block - item->touch[1].block) == 1;
 }
 
-/* Takes over the linearisation point from what dynamics_blocks left in the workspace; friction as there. */
+/* Sets the linearisation point from what dynamics_blocks left in the workspace; friction as there. */
 static void newton_leaves_point(NewtonLeaves *l, const EquipmentWork *w, const double *e, double friction)
 {
     const double *const mounts = e + l->q->spins;
@@ -536,7 +541,7 @@ static double strength(const RollerLeaf *item, int t)
     return sum;
 }
 
-/* The leaf's place: where the coupling is strongest, and the stronger of the two beside it. */
+/* Place of the leaf: where the coupling is strongest, and the stronger of the two beside it. */
 static void leaf_place(const RollerLeaf *item, Leaf *leaf)
 {
     int best = -1, second = -1;
@@ -578,7 +583,7 @@ static void border_put(NewtonLeaves *l, const RollerLeaf *item)
     }
 }
 
-/* After the chain's: leaves and border for nw->gamma. */
+/* Called after the chain's: leaves and border for nw->gamma. */
 static void newton_leaves_form(Newton *nw)
 {
     NewtonLeaves *const l = nw->leaves;
@@ -609,8 +614,8 @@ static void times_add(int rows, const double *a, const double *x, double *y)
     }
 }
 
-/* After the chain's elimination: the equipment's rows of nw->x, and what its positions do to the chain's; b: the
- * equipment's part of the right-hand side. */
+/* Called after the chain's elimination: the equipment's rows of nw->x, and the effect of its positions on the chain's
+ * rows; b: the equipment's part of the right-hand side. */
 static void newton_leaves_reduce(Newton *nw, const double *b)
 {
     NewtonLeaves *const l = nw->leaves;
@@ -632,7 +637,7 @@ static void newton_leaves_reduce(Newton *nw, const double *b)
     }
 }
 
-/* Before or after the chain's: b from nw->x. */
+/* Called before or after the chain's: b from nw->x. */
 static void newton_leaves_expand(Newton *nw, double *b)
 {
     NewtonLeaves *const l = nw->leaves;
@@ -648,8 +653,8 @@ static void newton_leaves_expand(Newton *nw, double *b)
 
 /* ------------------------------------------------------------------------------------------------- border */
 
-/* Moves rollers that keep touching too much into the border; 1 if the pattern is another one now, for which the caller
- * makes a new solver, 0 if not, -1 without memory. */
+/* Moves rollers that keep touching too many segments into the border; 1 if the pattern has changed, for which the
+ * caller makes a new solver, 0 if not, -1 without memory. */
 static int newton_leaves_widen(Newton *nw, EquipmentWork *w)
 {
     NewtonLeaves *const l = nw->leaves;
@@ -659,7 +664,7 @@ static int newton_leaves_widen(Newton *nw, EquipmentWork *w)
         const int fits = l->matrix->border + item->size <= BORDER_MOST;
         if (item->border >= 0 || item->wide < WIDE_MOST || !fits) continue;
         if (!item_room(item, ROOM_WIDE) || !equipment_room(w, k, ROOM_WIDE)) return -1;
-        item->border = 0; /* the order says which */
+        item->border = 0; /* set by the order */
         order_fill(l, nw->n);
         changed = 1;
     }
@@ -667,14 +672,14 @@ static int newton_leaves_widen(Newton *nw, EquipmentWork *w)
     return changed;
 }
 
-/* One roller's place and blocks; the solver's order follows from who is in the border. */
+/* Saves or loads one roller's place and blocks; the solver's order follows from the rollers in the border. */
 static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, int k, int segments)
 {
     int room = item->room;
     CHECKPOINT(c, room);
     CHECKPOINT(c, item->border);
     CHECKPOINT(c, item->wide);
-    if (!checkpoint_check(c, room == ROOM || room == ROOM_WIDE, "a roller's room is impossible")) return;
+    if (!checkpoint_check(c, room == ROOM || room == ROOM_WIDE, "a roller's capacity is impossible")) return;
     if (c->reading && room != item->room && !(item_room(item, room) && equipment_room(w, k, room))) checkpoint_lack(c);
     CHECKPOINT(c, item->turning);
     CHECKPOINT(c, item->k_own);
@@ -684,11 +689,11 @@ static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, i
     checkpoint_put(c, "item->touch", item->touch, (size_t)item->touched * sizeof *item->touch);
     for (int t = 0; !c->status && t < item->touched; ++t) {
         const int at = item->touch[t].block;
-        checkpoint_check(c, at >= 0 && at < segments, "a roller touches what is not there");
+        checkpoint_check(c, at >= 0 && at < segments, "a roller touches a segment that does not exist");
     }
 }
 
-/* What is known of the rollers at the linearisation point, and which of them are in the border. */
+/* Saves or loads the rollers' data at the linearisation point, and which of them are in the border. */
 static void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
 {
     NewtonLeaves *const l = nw->leaves;
@@ -710,7 +715,7 @@ static void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w
     if (!nw->solver) checkpoint_lack(c);
 }
 
-/* The solver that the options ask for, for the present pattern. */
+/* Creates the solver chosen by the options, for the present pattern. */
 static hawser_status solver_new(Newton *nw, hawser_error *err)
 {
     hawser_error mine = {0};
@@ -810,10 +815,10 @@ void newton_swell(Newton *nw, double radius)
     }
 }
 
-/* A loop over segments and the half of it that one of two threads does. */
+/* A loop over segments, of which each of two threads does half. */
 typedef struct Split {
     Newton *nw;
-    double *b; /* only read on the way in */
+    double *b; /* read only during elimination */
 } Split;
 
 static int split_from(const Newton *nw, int rank) { return rank == 0 ? 0 : nw->middle; }
@@ -826,7 +831,7 @@ static void form_job(void *arg, int rank)
     newton_kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
 }
 
-/* Eliminates and couples rows, whose neighbours' z are needed too: elimination is a lane ahead of coupling, and the
+/* Eliminates and couples rows, which needs the z of their neighbours: elimination is a lane ahead of coupling, and the
  * rows at the middle wait for the other half. */
 static void rows_reduce(void *arg, LinSide side, int from, int to)
 {
@@ -836,7 +841,7 @@ static void rows_reduce(void *arg, LinSide side, int from, int to)
         newton_kernels()->eliminate(nw, s->b, from > 0 ? from + LANES : 0, to + LANES);
     } else if (side == LIN_BOTTOM) {
         newton_kernels()->eliminate(nw, s->b, from - LANES, to < nw->n ? to - LANES : to);
-    } else { /* what no side was asked for, having no rows of its own */
+    } else { /* if no side has rows of its own */
         if (from == 0) newton_kernels()->eliminate(nw, s->b, 0, nw->middle);
         if (to == nw->n) newton_kernels()->eliminate(nw, s->b, nw->middle, to);
     }
@@ -849,7 +854,7 @@ static void rows_expand(void *arg, int from, int to)
     newton_kernels()->expand(s->nw, s->b, from, to);
 }
 
-/* One side, by tiles: what elimination wrote for coupling is in the nearest cache. */
+/* Processes one side in tiles: coupling finds what elimination wrote in the nearest cache. */
 enum { TILE = 128 };
 
 static void reduce_job(void *arg, int rank)
@@ -915,7 +920,7 @@ void newton_expand(Newton *nw, double *b)
     both(expand_job, &split);
 }
 
-/* With what the equipment and other chains add between reduction and solution. */
+/* Solves including the parts of equipment and other chains between reduction and solution. */
 static int solve_beside(Newton *nw, double *b)
 {
     newton_reduce(nw, b);
@@ -952,8 +957,8 @@ hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err)
     return solver_new(nw, err);
 }
 
-/* The matrix of the blocks and of gamma again, but for the extra blocks, which are listed: their pattern may have
- * changed since it was formed. */
+/* Forms the matrix from the blocks and gamma again, except for the extra blocks, which are saved: their pattern may
+ * have changed since it was formed. */
 static void matrix_again(Newton *nw)
 {
     Split split = {.nw = nw};

@@ -1,4 +1,4 @@
-/* The data of Newton's matrix, its kernels, and the unreduced system: what newton.c and the files beside it share. */
+/* The data of Newton's matrix, its kernels, and the unreduced system: shared by newton.c and the files beside it. */
 #ifndef HAWSER_SIM_SOLVE_NEWTON_H
 #define HAWSER_SIM_SOLVE_NEWTON_H
 
@@ -27,10 +27,10 @@ typedef struct Newton {
     double *x;                   /* [6n + extra] reduced right-hand side and solution */
     double gamma;                /* s, of a */
     LinSolver *solver;           /* of the matrix */
-    NewtonMatrix matrix;         /* a, and what the equipment adds */
+    NewtonMatrix matrix;         /* a, and the parts of the equipment */
     LinOptions options;          /* of the solver */
-    struct NewtonLeaves *leaves; /* sim/solve/newton.h: rollers that move; NULL: none */
-    struct NewtonExtra *extra;   /* sim/solve/newton.h: blocks off the diagonals; NULL: none */
+    struct NewtonLeaves *leaves; /* rollers that move; NULL: none */
+    struct NewtonExtra *extra;   /* blocks off the diagonals; NULL: none */
     Team *team;                  /* borrowed; NULL: one thread */
 } Newton;
 
@@ -52,7 +52,7 @@ typedef struct NewtonKernels {
                   double *out);
 } NewtonKernels;
 
-/* S of a body that turns with w (rad/s), row-major (N4). */
+/* S of a body that rotates with w (rad/s), row-major (N4). */
 static inline void newton_turn(double gamma, Vec3 w, double s[9])
 {
     const double x = gamma / 2 * w.x, y = gamma / 2 * w.y, z = gamma / 2 * w.z;
@@ -61,7 +61,7 @@ static inline void newton_turn(double gamma, Vec3 w, double s[9])
     for (int c = 0; c < 9; ++c) s[c] = scale * m[c];
 }
 
-/* Those of the best instruction set. */
+/* Kernels of the best instruction set. */
 ISA_KERNELS(NewtonKernels, newton_kernels)
 
 /* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates;
@@ -70,78 +70,78 @@ ISA_KERNELS(NewtonKernels, newton_kernels)
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
 void newton_free(Newton *nw);
-/* A matrix of `rows` segments of several chains, whose parts fill it; newton_extra_attach adds what couples them.
+/* Creates a matrix of `rows` segments of several chains, whose parts fill it; newton_extra_attach adds their coupling.
  * Errors: INPUT, MEMORY. */
 hawser_status newton_rows_new(Newton *nw, int rows, const LinOptions *options, hawser_error *err);
-/* One chain's part of it, from block row `row` on, to be given to newton_point, newton_form, newton_reduce and
- * newton_expand: it owns nothing. */
+/* One chain's part of it, from block row `row` on, for newton_point, newton_form, newton_reduce and newton_expand: it
+ * owns nothing. */
 void newton_part(const Newton *whole, int row, const Chain *chain, Newton *part);
-/* Takes over the linearisation point: inertias, quaternions and spins. k and d are filled by dynamics_blocks. */
+/* Sets the linearisation point: inertias, quaternions and spins. k and d are filled by dynamics_blocks. */
 void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
 /* The same for rollers that move, from what dynamics_blocks left in w with that friction. */
 void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction);
-/* Makes the inertia of every segment, at the point taken over, m radius^2 about any axis: where a mass matrix only has
- * to be positive, the thin rod's own inertia about its axis makes too much of rounding (RD16). */
+/* Sets the inertia of every segment, at the present linearisation point, to m radius^2 about any axis: where a mass
+ * matrix only has to be positive, the thin rod's own inertia about its axis would amplify rounding (RD16). */
 void newton_swell(Newton *nw, double radius);
-/* Between steps: rollers that were found to touch more than a leaf may get another place in the matrix, and the matrix
- * a new solver, which has factored nothing yet. Errors: MEMORY. */
+/* Called between steps: rollers that touch more than a leaf can hold may move to another place in the matrix, which
+ * then gets a new solver without factors. Errors: MEMORY. */
 hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err);
 /* Forms a for gamma (s) from k and d (N5). */
 void newton_form(Newton *nw, double gamma);
-/* How many directions a, as it is formed now, is negative in (its symmetric part); -1: a has more than the chain's
- * blocks, so that it cannot be counted. */
+/* Number of directions in which a, as formed now, is negative (its symmetric part); -1: not known, because a has blocks
+ * beside the chain's. */
 int newton_negative(const Newton *nw);
 /* Factors a: see linsolver_factor. */
 int newton_factor(Newton *nw);
-/* Whether the next factors may be rounded: see linsolver_rough. */
+/* Lets the next factors be rounded: see linsolver_rough. */
 void newton_rough(Newton *nw, int rough);
-/* What is being solved with, and how it went. */
+/* Statistics of the linear solver. */
 void newton_stats(const Newton *nw, LinStats *stats);
 /* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
 int newton_solve(Newton *nw, double *b);
-/* Its two ends, of the chain's rows alone: from b to the right-hand side x (N6), (N7), and back to b from the
- * velocities in x (N8). */
+/* First and last part of it, for the chain's rows alone: from b to the right-hand side x (N6), (N7), and back to b from
+ * the velocities in x (N8). */
 void newton_reduce(Newton *nw, const double *b);
 void newton_expand(Newton *nw, double *b);
-/* The linearisation point, its matrix for gamma, and what its solver has learned. */
+/* Saves or loads the linearisation point, its matrix for gamma, and the choices of its solver. */
 void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w);
-/* Couplings of Newton's matrix between segments that are not neighbours (cable on cable): their share of (N5) and (N7),
+/* Couplings of Newton's matrix between segments that are not neighbours (cable on cable): their part of (N5) and (N7),
  * and a solver that follows the pattern as the contact candidates change. docs/model.md, "Cable on cable" (CC21). */
 
 typedef struct NewtonExtra {
     const BlockExtras *from; /* K and D, borrowed from the workspace */
     LinOptions options;
-    long version;          /* of the pattern that block, a and the solver are made for; -1: none yet */
+    long version;          /* version of the pattern for which block, a and the solver were made; -1: none yet */
     int count;             /* blocks */
     double *a;             /* [count][36] their part of A */
-    unsigned char *filled; /* [count] 0: zero, since its block of K and D does not live */
+    unsigned char *filled; /* [count] 0: zero, since its block of K and D is not active */
     ExtraBlock *block;     /* [count] */
-    int failed;            /* there was no memory for a new pattern */
-    int stale;             /* the solver's pattern is not that of `block` */
-    LinStats retired;      /* counts of solvers that were given up with their patterns */
+    int failed;            /* 1: there was no memory for a new pattern */
+    int stale;             /* 1: the solver's pattern is not that of `block` */
+    LinStats retired;      /* counts of solvers that were replaced */
 } NewtonExtra;
 
-/* From now on the matrix has the blocks of `from` too, whatever pattern that takes; it must outlive nw. Errors: INPUT
- * where the solver that was asked for cannot hold such blocks; MEMORY. */
+/* Adds the blocks of `from` to the matrix from now on, whatever pattern they have; it must outlive nw. Errors: INPUT if
+ * the chosen solver cannot hold such blocks; MEMORY. */
 hawser_status newton_extra_attach(Newton *nw, const BlockExtras *from, const LinOptions *options, hawser_error *err);
-/* The blocks' part of A for nw->gamma. */
+/* Computes the blocks' part of A for nw->gamma. */
 void newton_extra_form(Newton *nw);
 /* x += K z for the blocks. */
 void newton_extra_couple(Newton *nw);
-/* The moving rollers' share of Newton's matrix: leaves and border around the chain. docs/model.md, "Rollers that spin
- * and rollers on mounts", (SP11)-(SP13). Called by newton.c alone, but for newton_leaves_point. */
+/* The moving rollers' part of Newton's matrix: leaves and border around the chain. docs/model.md, "Rollers that spin
+ * and rollers on mounts", (SP11)-(SP13). Called by newton.c alone, except newton_leaves_point. */
 
 /* ------------------------------------------------------------------------------------------------- one roller */
 
-/* What a roller and a segment that it touches do to each other; [columns][rows]. */
+/* Coupling of a roller and a segment that it touches; [columns][rows]. */
 typedef struct LeafTouch {
-    int block;                                                       /* the segment */
+    int block;                                                       /* index of the segment */
     double k_into[36], d_into[6 * ROLLER_UNKNOWNS];                  /* [positions][6], [size][6] */
     double k_from[6 * ROLLER_UNKNOWNS], d_from[6 * ROLLER_UNKNOWNS]; /* [6][size] */
     double into[6 * ROLLER_UNKNOWNS], from[6 * ROLLER_UNKNOWNS];     /* of both, for gamma (SP13) */
 } LeafTouch;
 
-/* One moving roller: of its `size` unknowns six (a mount's) or none have a position. Column-major. */
+/* One moving roller: six of its `size` unknowns (a mount's), or none, have a position. Column-major. */
 typedef struct RollerLeaf {
     int size, positions; /* 1, 6 or 7; 0 or 6 */
     int first;           /* its first unknown in the solver's order */
@@ -160,7 +160,7 @@ typedef struct RollerLeaf {
 
 /* ------------------------------------------------------------------------------------------------- all of them */
 
-enum { BORDER_MOST = 64 }; /* unknowns of rollers that may be in the border: its columns are dense */
+enum { BORDER_MOST = 64 }; /* largest number of unknowns in the border, whose columns are dense */
 
 typedef struct NewtonLeaves {
     const Equipment *q; /* borrowed */

@@ -1,5 +1,5 @@
-/* The kernels of newton_data.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
- * whose last two entries belong to what follows it in memory (every array of blocks is padded) and are never stored. */
+/* The kernels of newton.h for one instruction set. Blocks are 6x6, column-major; a column is read as a lane whose last
+ * two entries belong to the following memory (every array of blocks is padded) and are never stored. */
 #include "sim/solve/form_lanes.h"
 #include "sim/solve/newton.h"
 
@@ -26,8 +26,8 @@ LANE_INLINE LaneQuat lane_quat_eliminate(Lane3 w, double gamma, LaneQuat p)
     return (LaneQuat){scale * (p.w + turned.w), l3_scale(scale, l3_add(p.u, turned.u))};
 }
 
-/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are 0.
- */
+/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are
+ * 0. */
 LANE_INLINE void vector_load(int n, const double *b, int first, int width, int i, int count, Lane *out)
 {
     for (int c = 0; c < width; ++c) {
@@ -108,7 +108,7 @@ static void kernel_couple(Newton *nw, int from, int to)
     const BlockChain *const k = &nw->k;
     for (int i = from; i < to; ++i) {
         Lane beside = lane_set(0);
-        Lane sum = lane_load(nw->x + 6 * i); /* with two numbers of the next row, or behind the last */
+        Lane sum = lane_load(nw->x + 6 * i); /* includes two numbers of the next row, or of the padding */
         sum = block_times(k->diag + 36 * i, nw->z + 6 * i, sum);
         if (i > 0) beside = block_times(k->lower + 36 * i, nw->z + 6 * (i - 1), beside);
         if (i + 1 < nw->n) beside = block_times(k->upper + 36 * i, nw->z + 6 * (i + 1), beside);

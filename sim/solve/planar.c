@@ -18,7 +18,7 @@
 static void planar_scene_free(PlanarScene *ps);
 static void planar_newton_free(PlanarNewton *nw);
 
-/* How far from the plane counts as in it: unit vectors, and metres. */
+/* Largest distance from the plane that counts as zero: of unit vectors, and in metres. */
 static const double CLOSE = 1e-9;
 
 static int refuse(char why[PLANE_WHY_MAX], const char *reason)
@@ -29,8 +29,8 @@ static int refuse(char why[PLANE_WHY_MAX], const char *reason)
 
 /* ------------------------------------------------------------------------------------------------- the plane */
 
-/* A normal that fits the route's first bend; else its first straight and gravity; else the first roller's axis; else
- * level, to the right. Whether everything else fits is asked afterwards. */
+/* A normal by the route's first bend; else by its first straight and gravity; else the first roller's axis; else
+ * horizontal, to the right. Everything else is checked against it afterwards. */
 static Vec3 likely_normal(const Scene *scene)
 {
     const Route *const route = &scene->route;
@@ -49,7 +49,7 @@ static Vec3 likely_normal(const Scene *scene)
     return v3_scale(-1, route_left(route, 0));
 }
 
-/* Axes: the second as far up as the plane allows, the first forward. */
+/* Axes: the second as far up as possible in the plane, the first forward. */
 static void plane_axes(const Scene *scene, Plane *plane)
 {
     const Vec3 tangent = scene->route.piece[0].tangent, up = v3(0, 0, 1);
@@ -62,7 +62,8 @@ static void plane_axes(const Scene *scene, Plane *plane)
         .origin = scene->route.piece[0].start, .e1 = v3_unit(v3_cross(second, normal)), .e2 = second, .normal = normal};
 }
 
-/* How a segment lies across the plane: from the first segment, whose frame the others carry on without twist. */
+/* Orientation of the cross-sections to the plane: that of the first segment, whose frame the others continue without
+ * twist. */
 static int plane_attitude(const Scene *scene, Plane *plane)
 {
     const int n = scene->chain.n;
@@ -82,9 +83,9 @@ static int plane_attitude(const Scene *scene, Plane *plane)
     return 1;
 }
 
-/* ----------------------------------------------------------------------------------------------- what must fit */
+/* ----------------------------------------------------------------------------------------------- checks */
 
-/* A curve by looks along it, more than a cubic out of the plane has zeros. */
+/* Checks a curve at more places than a cubic off the plane has zeros. */
 static int curve_fits(const Route *route, int k, const Plane *plane)
 {
     enum { LOOKS = 8 };
@@ -115,7 +116,7 @@ static int gravity_fits(const Scene *scene, const Plane *plane)
     return fabs(v3_dot(scene->weight.gravity, plane->normal)) <= CLOSE * v3_norm(scene->weight.gravity);
 }
 
-/* Cylinders that cross the plane at a right angle, the plane between their two faces. */
+/* Checks for cylinders that cross the plane at a right angle, with the plane between their two faces. */
 static int rollers_fit(const Scene *scene, const Plane *plane)
 {
     for (int r = 0; r < scene->contact.n_rollers; ++r) {
@@ -128,7 +129,7 @@ static int rollers_fit(const Scene *scene, const Plane *plane)
     return 1;
 }
 
-/* A principal axis of the cross-section lies along the normal. */
+/* Checks whether a principal axis of the cross-section is along the normal. */
 static int axes_fit(const Plane *plane) { return fabs(plane->turn_y) < CLOSE || fabs(plane->turn_z) < CLOSE; }
 
 static int joints_round(const Chain *chain)
@@ -142,7 +143,7 @@ static int joints_round(const Chain *chain)
     return 1;
 }
 
-/* Preloads that push or bend out of the plane, or twist. */
+/* Checks for preloads without components out of the plane and without twist. */
 static int preloads_fit(const Scene *scene, const Plane *plane)
 {
     double *const *const load = scene->chain.preload;
@@ -155,7 +156,7 @@ static int preloads_fit(const Scene *scene, const Plane *plane)
     return 1;
 }
 
-/* What the planar equations do not have, wherever it lies; 0 if the scene asks for nothing of that kind. */
+/* Features of the scene that the planar equations do not have, wherever they are; 0 if there is none. */
 static int unknown_feature(const Scene *scene, char why[PLANE_WHY_MAX])
 {
     for (int r = 0; r < scene->n_rooms; ++r) {
@@ -185,14 +186,14 @@ int plane_find(const Scene *scene, Plane *plane, char why[PLANE_WHY_MAX])
     return 1;
 }
 
-/* ------------------------------------------------------------------------------------------- there and back */
+/* ------------------------------------------------------------------------------------------- conversion */
 
 static Vec3 entry(const double *y, int n, int at, int i)
 {
     return v3(y[at * n + i], y[(at + 1) * n + i], y[(at + 2) * n + i]);
 }
 
-/* The angle next to `before` that belongs to axis a. */
+/* Angle of axis a that is nearest to `before`. */
 static double angle_near(const Plane *plane, Vec3 a, double before)
 {
     const double angle = atan2(plane_2(plane, a), plane_1(plane, a));
@@ -257,8 +258,8 @@ static void segments_set(PlanarScene *ps)
     }
 }
 
-/* The components of the law that act in the plane: one of the shears and one of the bendings, or what both give
- * together where they are equal (PL16). */
+/* Sets the components of the law that act in the plane: one of the shears and one of the bendings, or their common
+ * value where they are equal (PL16). */
 static void joints_set(PlanarScene *ps)
 {
     const Chain *const from = &ps->scene->chain;
@@ -312,7 +313,7 @@ static void rollers_set(PlanarScene *ps)
     }
 }
 
-/* 0 if there is no memory (then nothing is allocated). */
+/* Returns 0 if there is no memory (then nothing is allocated). */
 static int planar_scene_new(PlanarScene *ps, const Scene *scene, const Plane *plane)
 {
     *ps = (PlanarScene){.scene = scene, .plane = *plane};
@@ -336,13 +337,13 @@ static void planar_scene_free(PlanarScene *ps)
     memset(ps, 0, sizeof *ps);
 }
 
-/* Turns the winch's angle by whole turns to the one nearest to the last segment's, rad. */
+/* Changes the winch's angle by full turns to the one nearest to the last segment's, rad. */
 static void planar_scene_unwind(PlanarScene *ps, double last_angle)
 {
     ps->winch_angle += 2 * M_PI * nearbyint((last_angle - ps->winch_angle) / (2 * M_PI));
 }
 
-/* The ghost goes along with the head's end across the pull (WI1a). */
+/* The ghost moves with the head's end across the pull (WI1a). */
 static void head_slides(const PlanarScene *ps, PlanarKinematics *kin)
 {
     const int n = ps->chain.n, i = n - 1;
@@ -359,7 +360,7 @@ static void head_slides(const PlanarScene *ps, PlanarKinematics *kin)
     }
 }
 
-/* Sets the head's ghost to what the winch does at time t. */
+/* Sets the head's ghost to the winch's motion at time t. */
 static void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 {
     const Winch *const w = ps->scene->winch;
@@ -404,7 +405,7 @@ static Vec3 point(const PlanarScene *ps, double x, double z)
     return v3_add(ps->plane.origin, plane_vector(&ps->plane, x, z));
 }
 
-/* The tail's force (F2) and its lever, and what it changes by as the tail's end moves along the route. */
+/* The tail's force (F2) and its lever, and its change as the tail's end moves along the route. */
 typedef struct PlanarTail {
     double force[2], arm[2], along[2], turned[2]; /* N; m; unit; N/m */
 } PlanarTail;
@@ -421,7 +422,7 @@ static PlanarTail tail_of(const PlanarScene *ps, const PlanarKinematics *kin, do
     return out;
 }
 
-/* Where the tail is in the state y. */
+/* Place of the tail in the state y. */
 static double planar_tail_place(const PlanarScene *ps, const double *y, double t, double tail_at, int anew)
 {
     const int stride = ps->chain.stride;
@@ -429,7 +430,7 @@ static double planar_tail_place(const PlanarScene *ps, const double *y, double t
     return tail_place(ps->scene, t, point(ps, y[0] - half * cos(angle), y[stride] - half * sin(angle)), tail_at, anew);
 }
 
-/* The rope's drag (F3): its size, and the slope of that over the axial speed. */
+/* The rope's drag (F3), and its slope over the axial speed. */
 static double drag_of(const PlanarScene *ps, const PlanarKinematics *kin, double *slope)
 {
     const int i = ps->scene->drag.segment;
@@ -468,7 +469,7 @@ static void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, doub
     loads->f[1][i] += size * kin->a[1][i];
 }
 
-/* Share of the weight, and the lead-in's hold (F1): derivatives, segment by segment from the tail to the start. */
+/* Weight share and the lead-in's hold (F1): derivatives, segment by segment from the tail to the start. */
 static void lead_in_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
 {
     const PlanarWeight *const w = &ps->weight;
@@ -523,7 +524,7 @@ static void tail_blocks(const PlanarTail *tail, PlanarBlocks *k)
     k->diag[8][0] += cross(swing, tail->force);
 }
 
-/* (RD22) in the plane: what the end's ways by x, z and the angle across the pull are too much. */
+/* (RD22) in the plane: removes the part of x, z and the angle for the motion of the end across the pull. */
 static void head_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
 {
     const int n = ps->chain.n, i = n - 1;
@@ -601,7 +602,7 @@ static void planar_newton_free(PlanarNewton *nw)
     memset(nw, 0, sizeof *nw);
 }
 
-/* A loop over segments, of which one of two threads does half. */
+/* A loop over segments, of which each of two threads does half. */
 typedef struct Share {
     PlanarNewton *nw;
     double *b;
@@ -617,7 +618,7 @@ static void form_job(void *arg, int rank)
     planar_sim_kernels()->form(nw, form_from(nw, rank), form_to(nw, rank));
 }
 
-/* Eliminates and couples rows, whose neighbours' z are needed too: elimination is a lane ahead of coupling, and the
+/* Eliminates and couples rows, which needs the z of their neighbours: elimination is a lane ahead of coupling, and the
  * rows at the middle wait for the other half. */
 static void rows_reduce(void *arg, LinSide side, int from, int to)
 {
@@ -628,7 +629,7 @@ static void rows_reduce(void *arg, LinSide side, int from, int to)
         planar_sim_kernels()->eliminate(nw, s->b, from > 0 ? from + LANES : 0, to + LANES);
     } else if (side == LIN_BOTTOM) {
         planar_sim_kernels()->eliminate(nw, s->b, from - LANES, to < n ? to - LANES : to);
-    } else { /* what no side was asked for, having no rows of its own */
+    } else { /* if no side has rows of its own */
         if (from == 0) planar_sim_kernels()->eliminate(nw, s->b, 0, nw->middle);
         if (to == n) planar_sim_kernels()->eliminate(nw, s->b, nw->middle, to);
     }
@@ -662,7 +663,7 @@ static int planar_newton_solve(PlanarNewton *nw, double *b)
     return linsolver_stream(nw->solver, &(LinStream){&share, rows_reduce, rows_expand}, nw->x);
 }
 
-/* The linearisation point and its factors. */
+/* Saves or loads the linearisation point and its factors. */
 static void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw)
 {
     const int n = nw->chain->n;
@@ -676,13 +677,13 @@ static void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw)
 
 static int segments(const Planar *p) { return p->ps.chain.n; }
 
-/* One evaluation, as halves_both threads see it. */
+/* One evaluation, shared by both threads. */
 typedef struct Evaluation {
     Planar *p;
     double t, friction;
     const double *y;
     double *ydot;
-    int behind; /* segments that the lead-in has */
+    int behind; /* segments behind the route's start */
     int finite[PARTS];
 } Evaluation;
 
@@ -690,7 +691,7 @@ static int share_from(const Planar *p, int rank) { return rank == 0 ? 0 : p->mid
 
 static int share_to(const Planar *p, int rank, int end) { return rank == 0 ? p->middle : end; }
 
-/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
+/* Kinematics and weight of one half; clears the second set of loads. */
 static void kinematics_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
@@ -702,7 +703,8 @@ static void kinematics_job(void *arg, int rank)
     for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
 }
 
-/* Wrenches of half of the joints, contacts of half of the rollers; the first half brings the loads at the ends. */
+/* Joint forces of half of the joints, contacts of half of the rollers; the first half includes the loads at the
+ * ends. */
 static void loads_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
@@ -744,7 +746,9 @@ int planar_evaluate(Planar *p, double t, const double *y, double friction, doubl
         .p = p, .t = t, .friction = friction, .y = y, .ydot = ydot, .behind = planar_weight_behind(&p->ps, y)};
     halves_both(p, kinematics_job, &e);
     planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
-    for (int c = 0; c < 2 && friction <= 0; ++c) p->kin.v[c][segments(p)] = 0; /* the search for rest: (E1) */
+    for (int c = 0; c < 2 && friction <= 0; ++c)
+        p->kin.v[c][segments(p)] = 0; /* during the search for equilibrium:
+                                       * (E1) */
     halves_both(p, loads_job, &e);
     halves_both(p, motion_job, &e);
     ++p->ws->rhs_evals;
@@ -784,10 +788,9 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
     }
 }
 
-/* --------------------------------------------------------------------------------------- what steps renew, and looks
- */
+/* --------------------------------------------------------------------------------------- candidates, looks */
 
-/* Shares of the reach: within what candidates are near; what a step may move so that they suffice for the next. */
+/* Shares of the reach: distance within which candidates are near; motion per step for which they suffice. */
 static const double NEAR = 1. / 4, NEAR_STEP = 1. / 128;
 
 static double moved_since(const Planar *p, const PlanarStand *then)
@@ -804,7 +807,7 @@ static void stand(const Planar *p, PlanarStand *now)
     }
 }
 
-/* Chooses what is near the kinematics of now, of candidates since whose search points have moved by `spent`, m. */
+/* Chooses the candidates near the present kinematics, among those whose search points have moved by `spent`, m. */
 static void near_choose(Planar *p, double spent, int wide)
 {
     const double reach = p->motion.scene->contact.reach, left = CONTACT_USABLE * reach - spent;
@@ -822,7 +825,7 @@ static void near_choose(Planar *p, double spent, int wide)
     p->wide = wide;
 }
 
-/* Takes all candidates for near until the next planar_refresh and planar_narrow; or those near (t, y). */
+/* Treats all candidates as near until the next planar_refresh and planar_narrow; or those near (t, y). */
 static void planar_widen(Planar *p)
 {
     if (p->motion.scene->contact.n_rollers > 0) near_choose(p, moved_since(p, &p->at), 1);
@@ -862,7 +865,7 @@ hawser_status planar_refresh(Planar *p, double t, const double *y, int always, h
     const Scene *const scene = p->motion.scene;
     if (always) p->ws->tail_at = planar_tail_place(&p->ps, y, t, p->ws->tail_at, 1);
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
-    /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
+    /* (C20), with the last evaluation for y, which is closer to it than the reserve of the reach */
     const double moved = always ? 0 : moved_since(p, &p->at);
     if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
     planar_place(p, t, y);
@@ -932,7 +935,7 @@ static void move(void *self, double dt)
     for (int k = 0; k < count; ++k) r->y[k] += dt * r->rate[count + k];
 }
 
-/* Candidates are judged by where things are now. */
+/* Candidates are checked by the present positions. */
 static hawser_status refresh(void *self, int always, hawser_error *err)
 {
     PlanarRelaxation *const r = self;
@@ -946,7 +949,7 @@ static void soften(void *self, double share)
     for (int half = 0; half < PARTS; ++half) p->model[half].impact.k = share * p->motion.scene->contact.impact.k;
 }
 
-/* As relax_to_equilibrium, for y [6 stride]. Errors: MEMORY. */
+/* Relaxes like relax_to_equilibrium, for y [6 stride]. Errors: MEMORY. */
 static hawser_status planar_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
@@ -963,7 +966,7 @@ static hawser_status planar_relax(Motion *m, double t, double *y, hawser_relaxat
         memcpy(r.start, y, 2 * stride * sizeof(double));
         memset(y + PLANAR_V * stride, 0, (PLANAR_SIZE - PLANAR_V) * stride * sizeof(double));
         out->tolerance_N = relax_tolerance(scene, t, relax_farthest(chain->n, chain->stride, 2, y, NULL));
-        planar_widen(p); /* the relaxation moves farther at once than steps do */
+        planar_widen(p); /* the relaxation makes larger moves than steps do */
         status = relax_run(scene, &p->ws->stop, &ops, &r, p->motion.size, y, out, err);
         if (!status) planar_narrow(p, t, y);
         out->moved_m = relax_farthest(chain->n, chain->stride, 2, y, r.start);
@@ -979,14 +982,14 @@ static Planar *planar_of(Motion *m) { return (Planar *)m; }
 
 static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
 
-/* The forces on the rollers, back in space. */
+/* Converts the forces on the rollers to space. */
 static void on_rollers_lift(Planar *p)
 {
     for (int r = 0; r < p->motion.scene->contact.n_rollers; ++r)
         p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
 }
 
-/* The forces of the rollers on the chain, which are all that its contacts do to it: back in space. */
+/* Converts the forces of the rollers on the chain, its only contacts, to space. */
 static void on_chain_lift(Planar *p)
 {
     for (int half = 0; half < PARTS; ++half) {
@@ -1013,7 +1016,7 @@ static int roller_forces(Planar *p, int on_chain)
     return active;
 }
 
-/* The winch's pull for the kinematics of now: the last lane of joints holds the head's. */
+/* Pull of the winch for the present kinematics: the last lane of joints has the head's. */
 static double head_pull(Planar *p)
 {
     const int n = segments(p);
@@ -1022,7 +1025,8 @@ static double head_pull(Planar *p)
     return p->joints.force[0][n] * p->ps.winch_direction[0] + p->joints.force[1][n] * p->ps.winch_direction[1];
 }
 
-/* The winch at the head's joint: its force along the ghost's velocity, which does not turn (BA2). */
+/* Power and force of the winch at the head's joint: its force along the velocity of the ghost, which does not rotate
+ * (BA2). */
 static Push winch_push_now(Planar *p, double t, const double *y)
 {
     const int n = segments(p);
@@ -1077,7 +1081,7 @@ static double motion_winch_pull(Motion *m, double t, const double *y)
     return head_pull(p);
 }
 
-/* Everything that a sample reads from the workspace, and no more. */
+/* Writes everything that a sample reads from the workspace, and no more. */
 static int planar_look(Motion *m, double t, const double *y, int on_chain)
 {
     Planar *const p = planar_of(m);
@@ -1096,7 +1100,7 @@ static void planar_glance(Motion *m)
     on_rollers_lift(p);
 }
 
-/* -------------------------------------------------------------------------------------- as the integrator sees it */
+/* -------------------------------------------------------------------------------------- operations of the motion */
 
 static int motion_rates(Motion *m, double t, const double *y, double *ydot)
 {
@@ -1105,7 +1109,7 @@ static int motion_rates(Motion *m, double t, const double *y, double *ydot)
 
 static void motion_linearise(Motion *m, double t, const double *y, const double *ydot)
 {
-    (void)ydot; /* inertia about one axis does not turn */
+    (void)ydot; /* the inertia about one axis is constant */
     planar_blocks(planar_of(m), t, y, 1);
 }
 
@@ -1120,7 +1124,7 @@ static int motion_factor(Motion *m)
 
 static int motion_solve(Motion *m, double *b) { return planar_newton_solve(&planar_of(m)->newton, b); }
 
-/* The same tolerances as in space: an angle's for half of it in the quaternion (PL18). */
+/* The same tolerances as in space: that of an angle corresponds to half of it in the quaternion (PL18). */
 static void motion_weights(const Motion *m, double *weight)
 {
     const Tolerances tol = scales_tolerances(m->scene);

@@ -1,4 +1,4 @@
-/* The kernels of planar_newton.h for one instruction set. */
+/* The kernels of planar.h for one instruction set. */
 #include <math.h>
 
 #include "core/plane_lanes.h"
@@ -7,8 +7,8 @@
 #include "sim/solve/planar.h"
 #include "sim/solve/scales.h"
 
-/* What the lead-in does to LANES segments, per mass held: what it takes off gravity, and its hold across its line; and
- * the share of the mass that it holds (F1). */
+/* Effect of the lead-in on LANES segments, per mass held: the gravity that it removes, and its hold across its line;
+ * and the share of the mass that it holds (F1). */
 typedef struct LeadIn {
     Lane2 pull; /* m/s2 */
     Lane held;
@@ -28,12 +28,13 @@ static PlanarPower kernel_weight(const PlanarWeight *w, const PlanarChain *chain
                                  int to, int behind, PlanarLoads *loads)
 {
     const Lane2 gravity = {lane_set(w->gravity[0]), lane_set(w->gravity[1])};
-    Lane power = lane_set(0); /* of the lead-in; nothing pads the chain's mass, so that other lanes give nothing */
+    Lane power = lane_set(0); /* of the lead-in; the padding of the chain's mass is zero, so that other lanes add
+                               * nothing */
     Lane2 sum = {power, power};
     for (int i = from; i < to; i += LANES) {
         const Lane mass = lane_load(chain->mass + i);
         Lane2 f = l2_scale(mass, gravity);
-        if (i < behind) { /* the rest of the last lane is past the start, too */
+        if (i < behind) { /* the rest of the last lane is past the start too */
             const LeadIn by = lead_in_at(w, kin, i);
             f = l2_add(f, l2_scale(by.held * mass, by.pull));
             /* multiplied in another order than the force, whose product is fused with its sum */
@@ -120,7 +121,7 @@ static void kernel_expand(const PlanarNewton *nw, double *b, int from, int to)
     }
 }
 
-/* Entry e of -gamma D - gamma^2 K of LANES rows into row-by-row blocks, of which `count` exist. */
+/* Writes entry e of -gamma D - gamma^2 K of LANES rows into row-by-row blocks, of which `count` exist. */
 LANE_INLINE void entry_form(double *const k[9], double *const d[9], int e, int i, int count, double gamma, double *out)
 {
     const Lane value = newton_entry(gamma, lane_load(d[e] + i), lane_load(k[e] + i));
@@ -147,7 +148,7 @@ static void kernel_form(PlanarNewton *nw, int from, int to)
 
 /* --------------------------------------------------------------------------------------- norm, and into space */
 
-/* The lanes from i on, if the chain reaches so far; what pads it is zero. */
+/* The lanes from i on, if the chain is that long; its padding is zero. */
 LANE_INLINE Lane lane_square(int stride, const double *x, const Lane w[PLANAR_SIZE], int i)
 {
     Lane sum = lane_set(0);
@@ -170,7 +171,7 @@ static double kernel_window_square(const PlanarChain *chain, int first, int last
         double total = 0;
         for (int k = 0; k < LANES; ++k) total += sum[k];
         const double mean = total / (STATE_SIZE * count);
-        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays: nothing is larger */
+        if (mean > largest || isnan(mean)) largest = mean; /* a NaN is kept: no comparison with it is true */
     }
     return largest;
 }
@@ -201,7 +202,7 @@ static void kernel_lift(const Plane *p, const PlanarChain *chain, const PlanarKi
     }
 }
 
-/* (BA11); what fills the lanes behind the chain has no mass. */
+/* (BA11); the padding of the lanes behind the chain has no mass. */
 static MethodLoss kernel_method_loss(const PlanarChain *chain, const double *y, const double *rates, double scale,
                                      double *past)
 {

@@ -17,28 +17,28 @@
 static hawser_status relax_run_within(int straight, const Scene *scene, const StopCheck *stop, const RelaxOps *ops,
                                       void *self, int size, double *y, hawser_relaxation *out, hawser_error *err);
 
-/* The largest change that one iteration may make. */
+/* Largest change in one iteration. */
 static const double MOVE_MAX = 0.05, TURN_MAX = 0.1; /* m, rad */
 
 static const double DT_FIRST = 1e-2, DT_LARGEST = 1e8, DT_GROWTH = 10; /* s, s, 1 */
 
-/* The careful variant (E4): the shortest step, and how much a residual may grow in one. */
+/* The careful variant (E4): the shortest step, and the largest growth of the residual in one. */
 static const double DT_SMALLEST = 1e-4, JUMP = 4;
 
-/* Contacts made soft (E5): the first share of their stiffness, its growth from stage to stage; a stage ends at this
- * share of the loads, or after so many iterations. */
+/* Soft contacts (E5): first share of their stiffness, its growth from stage to stage; a stage ends at this share of the
+ * loads, or after this many iterations. */
 static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
 
 enum { SOFT_ITERATIONS = 60 };
 
-/* What is relaxed. */
+/* Data of a relaxation. */
 typedef struct Relaxing {
     const RelaxOps *ops;
     void *self;
     const StopCheck *stop;
-    int soft; /* contacts are, for now */
+    int soft; /* 1: contacts are soft at present */
     const SolverDef *def;
-    int touches;          /* there are rollers or surfaces */
+    int touches;          /* 1: there are rollers or surfaces */
     int size;             /* of the state */
     double *y;            /* [size] */
     double *start, *back; /* [size] state before; before the last move */
@@ -56,7 +56,7 @@ double relax_shorten(const RelaxStride *most, double scale, double move, double 
     return fmin(scale, fmin(alone, most->sweep / (half * turn + 1e-300)));
 }
 
-/* Whether a stop is wanted now (not while contacts are soft, if it must be firm). Errors: STOPPED. */
+/* Checks whether a stop is requested (not while contacts are soft, if it must be firm). Errors: STOPPED. */
 static hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err)
 {
     if ((soft && stop->firm) || !stop_wanted(stop)) return HAWSER_OK;
@@ -77,17 +77,17 @@ double relax_farthest(int n, int pitch, int dims, const double *y, const double 
     return far;
 }
 
-/* What rounding of coordinates as large as `far` (m), and of rotations, does to the stiffest bushing, N; moments count
- * over half a segment (E6). */
+/* Effect of rounding of coordinates as large as `far` (m), and of rotations, on the stiffest bushing, N; moments are
+ * divided by half a segment's length (E6). */
 static double relax_rounding(const Scene *scene, double far)
 {
     const Chain *const chain = &scene->chain;
-    const int joints = chain->n + scene->rod->present; /* the head's end of a rod counts as its tail's does */
+    const int joints = chain->n + scene->rod->present; /* the head's end of a rod counts like its tail's */
     double force = 0;
     for (int j = 0; j < joints; ++j) {
         const double half = chain->half[j < chain->n ? j : chain->n - 1];
         force = fmax(force, far * chain->stiffness[0][j]);
-        for (int c = 3; c < 6; ++c) force = fmax(force, chain->stiffness[c][j] / half); /* quaternions are of size 1 */
+        for (int c = 3; c < 6; ++c) force = fmax(force, chain->stiffness[c][j] / half); /* quaternions have size 1 */
     }
     return 16 * DBL_EPSILON * force;
 }
@@ -100,8 +100,8 @@ double relax_tolerance(const Scene *scene, double t, double far)
     return fmax(scene->def.solver.relax_tolerance * load, relax_rounding(scene, far));
 }
 
-/* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
- * residual is below `aim` or `limit` iterations are spent. */
+/* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). It continues until
+ * the residual is below `aim` or `limit` iterations are used. */
 static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
 {
     double dt = DT_FIRST;
@@ -128,8 +128,8 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
     return HAWSER_OK;
 }
 
-/* One careful step of *dt: taken if nothing would move too far and the residual does not jump up, else taken back; *dt
- * becomes what to try next (E4). */
+/* One careful step of *dt: accepted if nothing would move too far and the residual does not rise steeply, else undone;
+ * *dt becomes the next one to try (E4). */
 static hawser_status careful_step(Relaxing *r, double *dt, hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)r->size * sizeof(double);
@@ -137,7 +137,7 @@ static hawser_status careful_step(Relaxing *r, double *dt, hawser_relaxation *ou
     if (bad < 0) return error_memory(err);
     const double before = out->residual_N, scale = bad ? 0 : r->ops->move_scale(r->self, *dt);
     if (scale < 0.3 && *dt > DT_SMALLEST) {
-        *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
+        *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* a part without stiffness moves as dt^2 */
         r->ops->residual(r->self, &out->segment);               /* the step has overwritten the rates */
         return HAWSER_OK;
     }
@@ -169,14 +169,14 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     return status;
 }
 
-/* An attempt that ends within so many tolerances goes on for so many times as long: long chains between guides creep.
- */
+/* An attempt that ends within this many tolerances continues for this many times as long: long chains between guides
+ * creep. */
 static const double NEAR = 100;
 
 enum { FURTHER = 4 };
 
 /* The continuation in the contacts' stiffness (E5): a light rope that falls onto stiff rollers overshoots by more than
- * Newton's method mends, so it lands on soft ones, which are then made stiffer and stiffer. */
+ * Newton's method corrects, so it lands on soft ones, which are then made stiffer step by step. */
 static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, hawser_error *err)
 {
     const double load = out->tolerance_N / r->def->relax_tolerance;
@@ -195,7 +195,7 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
     return iterate_carefully(r, out->tolerance_N, FURTHER * r->def->relax_iterations, out, err);
 }
 
-/* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */
+/* Tries directly; if that does not reach equilibrium, again from the start and from soft contacts. */
 static hawser_status attempts(Relaxing *r, int straight, hawser_relaxation *out, hawser_error *err)
 {
     const int most = r->def->relax_iterations;
@@ -212,7 +212,7 @@ hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOp
     return relax_run_within(INT_MAX, scene, stop, ops, self, size, y, out, err);
 }
 
-/* The same with so many iterations straight away, at most, before it begins from soft contacts. */
+/* The same with a limit on the direct iterations before it starts from soft contacts. */
 static hawser_status relax_run_within(int straight, const Scene *scene, const StopCheck *stop, const RelaxOps *ops,
                                       void *self, int size, double *y, hawser_relaxation *out, hawser_error *err)
 {
@@ -238,8 +238,8 @@ static hawser_status relax_run_within(int straight, const Scene *scene, const St
     return status;
 }
 
-/* Largest unbalanced force, N; moments count over half a segment. *where gets the segment. Leaves the accelerations in
- * `rate`. self: a Relaxation, here and below, for RelaxOps. */
+/* Largest unbalanced force, N; moments are divided by half a segment's length. *where gets the segment. Leaves the
+ * accelerations in `rate`. self: a Relaxation, here and below, for RelaxOps. */
 static double space_residual(void *self, int *where)
 {
     Relaxation *const r = self;
@@ -267,7 +267,7 @@ double space_unbalanced(const Relaxation *r, int *where)
     return mounts > largest || isnan(mounts) ? mounts : largest;
 }
 
-/* Its parts: K and D of y; then, once newton_form has made the matrix for dt, its factors and the velocities. */
+/* Parts of a step: K and D of y; then, once newton_form has made the matrix for dt, its factors and the velocities. */
 static void space_blocks(Relaxation *r)
 {
     dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, r->friction, &r->newton->k, &r->newton->d);
@@ -294,7 +294,7 @@ int space_solve(Relaxation *r, double dt)
 }
 
 /* One linearly implicit Euler step of length dt (s) from rest: (M - dt D - dt^2 K) u = dt F (E1), for the accelerations
- * in `rate`, in whose velocity part the velocities u land. Returns the solver's status. */
+ * in `rate`, whose velocity part gets the velocities u. Returns the solver's status. */
 static int space_step(void *self, double dt)
 {
     Relaxation *const r = self;
@@ -350,15 +350,15 @@ hawser_status space_refresh(void *self, int always, hawser_error *err)
     return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, always, err);
 }
 
-/* Gives the contacts `share` of their stiffness. */
+/* Sets the stiffness of the contacts to `share` of the scene's. */
 static void space_soften(void *self, double share)
 {
     Relaxation *const r = self;
     dynamics_soften(r->scene, r->ws, share);
 }
 
-/* Mounts are held until the chain has come to rest on them, and are let go then: what they give way by changes little,
- * but light bodies on springs under a chain that falls make for many more iterations (SP15). */
+/* Mounts are held until the chain has come to rest on them, and then released: their deflection changes little, but
+ * light bodies on springs under a falling chain need many more iterations (SP15). */
 static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -374,7 +374,7 @@ int space_begin(Relaxation *r)
 {
     const size_t n = (size_t)r->scene->chain.n;
     r->size = scene_state_size(r->scene);
-    if (!r->rate) r->rate = malloc((size_t)r->size * sizeof(double)); /* unless somebody lends it */
+    if (!r->rate) r->rate = malloc((size_t)r->size * sizeof(double)); /* unless the caller provides it */
     r->start = malloc(3 * n * sizeof(double));
     if (!r->rate || !r->start) return 0;
     memcpy(r->start, r->y, 3 * n * sizeof(double));
@@ -405,7 +405,7 @@ hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *ne
     return status;
 }
 
-/* Faces before those of a part's rollers. */
+/* Number of faces before those of a part's rollers. */
 static int faces_before(const Workspace *ws, int part) { return 2 * ws->contact[part].first; }
 
 static int has_rollers(const Workspace *ws, int part) { return ws->contact[part].model.n_rollers > 0; }
@@ -423,7 +423,7 @@ void pressed_find(const Scene *scene, Workspace *ws, const Pressed *out)
     }
 }
 
-/* before: as contact_presume has it, of all rollers; patch: as surface_presume does. */
+/* before: as in contact_presume, of all rollers; patch: as in surface_presume. */
 static hawser_status presume_all(Presumption *p, const Scene *scene, Workspace *ws, const Presume *how,
                                  const double *before, const double *patch, hawser_error *err)
 {
@@ -443,8 +443,8 @@ static hawser_status presume_all(Presumption *p, const Scene *scene, Workspace *
     return HAWSER_OK;
 }
 
-/* For the kinematics in the workspace: from `last`, an equilibrium nearby (NULL: from the gaps). presumption_free may
- * follow either way. Errors: MEMORY. */
+/* Presumes for the kinematics in the workspace: from `last`, an equilibrium nearby (NULL: from the gaps).
+ * presumption_free may follow either way. Errors: MEMORY. */
 static hawser_status presumption_begin(Presumption *p, const Scene *scene, Workspace *ws, const Pressed *last,
                                        hawser_error *err)
 {
@@ -455,7 +455,7 @@ static hawser_status presumption_begin(Presumption *p, const Scene *scene, Works
     return presume_all(p, scene, ws, &how, last ? last->face : NULL, last ? last->patch : NULL, err);
 }
 
-/* An iteration has led to the kinematics in the workspace. keep: as in Presume. Errors: MEMORY. */
+/* Updates after an iteration to the kinematics in the workspace. keep: as in Presume. Errors: MEMORY. */
 static hawser_status presumption_go_on(Presumption *p, const Scene *scene, Workspace *ws, double keep,
                                        hawser_error *err)
 {
@@ -463,8 +463,8 @@ static hawser_status presumption_go_on(Presumption *p, const Scene *scene, Works
     return presume_all(p, scene, ws, &how, p->face, NULL, err);
 }
 
-/* Whether all contacts of the workspace are lines about what is presumed, or their own laws again. Before the free, and
- * before anything but forces and blocks: their own. */
+/* Switches all contacts of the workspace to lines about the presumed forces, or back to their own laws. They must be
+ * back before the free, and before anything but forces and blocks. */
 static void presumption_use(const Presumption *p, Workspace *ws, int on)
 {
     for (int part = 0; part < PARTS; ++part) {
@@ -482,15 +482,15 @@ static void presumption_free(Presumption *p)
     *p = (Presumption){0};
 }
 
-/* Newton's method on the way of the loads (RD8): the largest turn in one iteration. */
+/* Newton's method under changing loads (RD8): the largest rotation in one iteration. */
 static const double TURN_NEWTON = 0.5; /* rad */
 
-/* The way down (RD20): the largest turn in one iteration; steps grow and shrink by these. */
+/* The descent (RD20): the largest rotation in one iteration; factors by which steps grow and shrink. */
 static const double TURN_DOWN = 0.2, GROWTH = 4, SHRINKING = 0.5;
 
 enum { NEWTON_ITERATIONS = 60, CUT_ITERATIONS = 3000, DOWN_ITERATIONS = 3000, PATIENCE = 500, CALMING = 6 };
 
-/* The largest force in the scene: weights, loads, and what the joints carry, N. */
+/* Largest force in the scene: weights, loads, and forces in the joints, N. */
 static double largest_force(const Relaxation *r)
 {
     const Chain *const chain = &r->scene->chain;
@@ -503,7 +503,7 @@ static double largest_force(const Relaxation *r)
     return largest;
 }
 
-/* Residual and what is allowed of it (RD8); `reached` is set. */
+/* Residual and its allowed value (RD8); sets `reached`. */
 static void look(Relaxation *r, const StaticAim *aim, hawser_relaxation *out)
 {
     out->residual_N = space_residual(r, &out->segment);
@@ -511,7 +511,7 @@ static void look(Relaxation *r, const StaticAim *aim, hawser_relaxation *out)
     out->reached = out->residual_N <= out->tolerance_N;
 }
 
-/* The largest turn in the velocities found, times dt, rad. */
+/* Largest rotation by the velocities found, times dt, rad. */
 static double turn_of(const Relaxation *r, double dt)
 {
     const int n = r->scene->chain.n;
@@ -520,7 +520,7 @@ static double turn_of(const Relaxation *r, double dt)
     return largest;
 }
 
-/* The same of shifts, m. */
+/* The same of displacements, m. */
 static double shift_of(const Relaxation *r, double dt)
 {
     const int n = r->scene->chain.n;
@@ -529,8 +529,8 @@ static double shift_of(const Relaxation *r, double dt)
     return largest;
 }
 
-/* What share of a move by dt times the velocities found may be made: no segment turns by more than `turn` (rad), nor
- * goes farther than half the way through anything (E2). */
+/* Share of a move by dt times the velocities found that is allowed: no segment rotates by more than `turn` (rad) or
+ * moves farther than half the way through anything (E2). */
 static double share_of(const Relaxation *r, double dt, double turn)
 {
     const Scene *const scene = r->scene;
@@ -541,9 +541,9 @@ static double share_of(const Relaxation *r, double dt, double turn)
     return fmin(1, fmin(turn / (turns + 1e-300), through));
 }
 
-/* Newton's method (RD8). Residuals grow on the way, since turning a stiff segment stretches its neighbours: only the
- * number of iterations and what is not a number end it early. Moves that are cut short, so that they pass nothing, do
- * not count among the iterations. */
+/* Newton's method (RD8). Residuals grow on the way, since rotating a stiff segment stretches its neighbours: only the
+ * number of iterations and NANs end it early. Moves that are cut short so as to pass through nothing do not count as
+ * iterations. */
 static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -569,8 +569,7 @@ static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxa
     return status;
 }
 
-/* K without damping, which holds nothing, and swollen inertias; the accelerations in `rate` become those that go with
- * them. */
+/* K without damping, which holds nothing, and increased inertias; converts the accelerations in `rate` accordingly. */
 static void blocks_swollen(Relaxation *r, double radius)
 {
     const Chain *const chain = &r->scene->chain;
@@ -586,8 +585,7 @@ static void blocks_swollen(Relaxation *r, double radius)
     }
 }
 
-/* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20).
- */
+/* Longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20). */
 static double step_downhill(Relaxation *r, double dt)
 {
     newton_form(r->newton, dt);
@@ -598,8 +596,8 @@ static double step_downhill(Relaxation *r, double dt)
     return dt;
 }
 
-/* A step turns segments, and that stretches their neighbours to second order: forces that make the next step's matrix
- * another than the equilibrium's. Short steps take them away and leave what gives way slowly where it is (RD20). */
+/* A step rotates segments, which stretches their neighbours to second order: the next step's matrix would then contain
+ * forces that the equilibrium does not have. Short steps remove them and leave slow motions unchanged (RD20). */
 static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -620,8 +618,8 @@ static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error 
     return status;
 }
 
-/* Steps along which the energy falls, until nothing is left of forces and of directions in which it could go on. Where
- * whole steps go round in circles shorter ones are taken. */
+/* Makes steps along which the energy falls, until there are no unbalanced forces and no directions in which it could
+ * fall further. If full steps cycle, shorter ones are taken. */
 static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -674,17 +672,18 @@ hawser_status relax_downhill(const Scene *scene, Workspace *ws, Newton *newton, 
     return go((Relaxation){.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y}, descend, aim, out, err);
 }
 
-/* The step that stands for infinity: inertia is then 1e-10 of a spring of 1 N/m and 1 kg. */
+/* The step that acts as infinity: inertia is then 1e-10 of a spring of 1 N/m and 1 kg. */
 static const double DT_STEADY = 1e5; /* s */
 
-/* Newton's method goes on while none but so many iterations in a row have left no less than the best one; and the
- * continuation has so many before contacts are made soft: nearly all that arrive at all have arrived by then. */
+/* Newton's method continues unless this many iterations in a row have not improved on the best residual; and the
+ * continuation has this many iterations before contacts are made soft: nearly all cases that converge have done so by
+ * then. */
 enum { STEADY_ITERATIONS = 25, WAITS = 3, STRAIGHT = 16 };
 
-/* In the first iteration, which moves farthest, contacts let go of no more than the rest of this share (PS12). */
+/* In the first iteration, which moves farthest, contacts release no more than the rest of this share (PS12). */
 static const double KEPT = 0.1, FALLS = 0.8;
 
-/* The relaxation's parts come first: what they are handed is this. */
+/* The relaxation's part comes first: its functions receive a pointer to it. */
 typedef struct Steady {
     Relaxation r;
     double speed; /* m/s */
@@ -706,7 +705,7 @@ void steady_field(const Chain *chain, double speed, double *y)
     }
 }
 
-/* block of d, of the segment that moves with v, into the same block of k. */
+/* Adds a block of d, of the segment that moves with v, to the same block of k. */
 static void follow_block(const double *d, Vec3 v, double *k)
 {
     for (int c = 0; c < 3; ++c) {
@@ -728,7 +727,7 @@ void steady_follow(const BlockChain *d, const double *y, BlockChain *k)
     }
 }
 
-/* Torques left on rollers that spin, as forces at their surfaces, count like forces on segments (PS7). */
+/* Unbalanced torques on spinning rollers, as forces at their surfaces, count like forces on segments (PS7). */
 static double spins_residual(const Relaxation *r)
 {
     const Equipment *const q = r->scene->equipment;
@@ -750,8 +749,8 @@ static double steady_residual(void *self, int *where)
     return larger_of(space_residual(&s->r, where), spins_residual(&s->r));
 }
 
-/* (PS6). Newton's matrix without what turns the segments: on the way of a step that stands for infinity they would go
- * round thousands of times (N4). */
+/* (PS6). Newton's matrix without the segments' rotation: in a step that acts as infinity they would make thousands of
+ * turns (N4). */
 static int steady_step(void *self, double dt)
 {
     Steady *const s = self;
@@ -763,7 +762,7 @@ static int steady_step(void *self, double dt)
     return space_solve(&s->r, dt);
 }
 
-/* Rollers that spin have no position: a move of dt changes their speeds by what was found, whole or in part. */
+/* Rollers that spin have no position: a move of dt changes their speeds by the solution, in full or in part. */
 static void steady_move(void *self, double dt)
 {
     Steady *const s = self;
@@ -774,7 +773,7 @@ static void steady_move(void *self, double dt)
     }
 }
 
-/* One step with the contacts about what is presumed, whose rates are there, and what it leads to presume. */
+/* One step with the contacts about the presumed forces, whose rates have been computed; updates the presumption. */
 static hawser_status presumed_step(Steady *s, Presumption *p, double keep, int *stuck, hawser_error *err)
 {
     Workspace *const ws = s->r.ws;
@@ -789,7 +788,7 @@ static hawser_status presumed_step(Steady *s, Presumption *p, double keep, int *
     return status ? status : presumption_go_on(p, s->r.scene, ws, keep, err);
 }
 
-/* (PS11)-(PS13). What is presumed agrees with the contacts' law in the end: it counts when that balances. */
+/* (PS11)-(PS13). The presumption agrees with the contacts' law in the end: the result counts when that law balances. */
 static hawser_status steady_iterate(Steady *s, Presumption *p, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -803,7 +802,7 @@ static hawser_status steady_iterate(Steady *s, Presumption *p, hawser_relaxation
             out->reached = out->residual_N <= out->tolerance_N;
             if (out->reached) break;
             presumption_use(p, s->r.ws, 1);
-            steady_residual(s, &(int){0}); /* the rates that the step is for */
+            steady_residual(s, &(int){0}); /* computes the rates for the step */
         }
         if (out->residual_N < FALLS * least) best = it;
         least = fmin(least, out->residual_N);
@@ -826,7 +825,7 @@ static hawser_status newton_presumed(Steady *s, const Pressed *last, hawser_rela
     return status;
 }
 
-/* From the start again, step by step in time and from soft contacts (E3)-(E5). */
+/* Starts again, step by step in time and from soft contacts (E3)-(E5). */
 static hawser_status slow_way(Steady *s, int straight, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {steady_residual, steady_step,   space_move_scale,
@@ -848,7 +847,7 @@ hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, do
     if (!status) memcpy(begun, y, bytes);
     if (!status && !space_begin(&s.r)) status = error_memory(err);
     if (!status) {
-        memcpy(y + first, begun + first, (size_t)spins * sizeof(double)); /* rollers go on spinning */
+        memcpy(y + first, begun + first, (size_t)spins * sizeof(double)); /* rollers keep their spin */
         memcpy(begun, y, bytes);
         out->tolerance_N = relax_tolerance(scene, t, space_farthest(&s.r, NULL));
         status = newton_presumed(&s, start->last, out, err);

@@ -107,9 +107,10 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
     return worst;
 }
 
-/* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
- * "Integration" (N13). It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
- * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
+/* The residual of Newton's iteration is noise in the tensions, because the axial stiffness multiplies it;
+ * docs/model.md, "Integration", has the figures. It is a share, of at least NEWTON_SHARE, of the error test's
+ * tolerance; it grows as the tolerance falls, so that NEWTON_LEFT of the scales of (N10) remain at any accuracy, up to
+ * CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
 
 /* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
@@ -124,7 +125,7 @@ double scales_newton_share(const Scene *scene)
 double stride_most(const Scene *scene)
 {
     const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present;
-    const double unseen = (1 - CONTACT_USABLE) * scene->def.contact_reach; /* what candidates may be late by */
+    const double unseen = (1 - CONTACT_USABLE) * scene->def.contact_reach; /* by which candidates may be late */
     return touches ? fmin(scene_way(scene), unseen) : INFINITY;
 }
 
@@ -240,7 +241,7 @@ static hawser_status spatial_accept(Motion *m, double t, const double *y, hawser
     return status ? status : dynamics_refresh(m->scene, s->ws, t, y, 0, err);
 }
 
-/* The segment that is nearest to a moving roller: where to look for what ails it. */
+/* Segment nearest to a moving roller, as the place to search for the cause of its error. */
 static int nearest_segment(const Workspace *ws, int n, int moving)
 {
     const Vec3 at = ws->equipment->roller[ws->equipment->q->item[moving].roller].shape.centre;
@@ -369,20 +370,23 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
     return &s->motion;
 }
 
-/* Of the largest pull: what a fall may lose to the steps, a tenth of what a peak that is trusted may be off by, at the
- * default accuracy or a coarser one; and what swings by less than that bounds no step. */
+/* Shares of the largest pull: loss of a fall to the steps, a tenth of the allowed error of a peak, at the default
+ * accuracy or a coarser one; and size below which an oscillation does not bound the step. */
 static const double LOST = 0.01, USUAL = 1e-3;
 
-/* Of the third derivative's last top, a step later: between its tops lie four steps or more where (EB25) holds. */
+/* Factor per step on the last maximum of the third derivative: there are four steps or more between its maxima where
+ * (EB25) holds. */
 static const double FADES = 0.8;
 
-/* Steps become shorter than they must be, and longer when they may be by more than that: each change costs a matrix. */
+/* Steps are made shorter than necessary, and longer only when the bound exceeds them by more than this: each change
+ * costs a matrix. */
 static const double SHORTER = 0.9, LONGER = 1.4, MAY = 1.5;
 
-/* Of the longest step without swings, at least: faster ones are the error test's alone. */
+/* Lower bound, over the longest step without oscillations: faster ones are left to the error test. */
 static const double LEAST = 1.0 / 16;
 
-/* What a method of second order takes of a swing that falls in n steps, half of its period: pi^4/4n^3 of it (EB23). */
+/* Loss of a method of second order in an oscillation that falls in n steps, half of its period: pi^4/4n^3 of it
+ * (EB23). */
 static void fall_record(Swings *s, double before, double pull)
 {
     static const double HALF = M_PI * M_PI * M_PI * M_PI / 4;
@@ -403,7 +407,7 @@ static void rise_record(Swings *s, double before, double pull, double h, double 
     if (h > 0) s->steepest = fmax(s->steepest, (pull - before) / h);
 }
 
-/* Third derivative of the last four pulls, N/s^3; 0 where they waver by no more than what bounds no step. */
+/* Third derivative of the last four pulls, N/s^3; 0 where they vary by no more than bounds no step. */
 static double third_derivative(const Swings *s)
 {
     double d[SWINGS_STEPS], least = INFINITY, most = -INFINITY;
@@ -423,7 +427,7 @@ static void bound_set(Swings *s, const SolverDef *solver, double longest, double
 {
     s->third = fmax(third_derivative(s), FADES * s->third);
     const double lost = LOST * fmin(1, solver->accuracy / USUAL) * s->largest;
-    const double may = fmax(cbrt(lost / (M_PI / 2) / s->third), LEAST * longest); /* INFINITY: nothing swings */
+    const double may = fmax(cbrt(lost / (M_PI / 2) / s->third), LEAST * longest); /* INFINITY: no oscillation */
     const double bound = s->bound > 0 ? s->bound : INFINITY;
     if (may < fmin(bound, h)) {
         s->bound = fmax(SHORTER * may, LEAST * longest);

@@ -17,13 +17,13 @@ typedef struct VectorKernels {
     /* The same where each of the 13 arrays of w holds one number throughout: only its first entry is read. */
     double (*window_square_even)(int n, int from, int to, const double *x, const double *w);
     /* Largest over the n entries of sum of v[c]^2, c < dims, + half^2 times the sum of w[c]^2, c < turns: v[c] begins
-     * at v + c pitch, w[c] likewise. What is not a number counts for nothing. */
+     * at v + c pitch, w[c] likewise. NaNs are ignored. */
     double (*largest_square)(int n, int pitch, int dims, const double *v, int turns, const double *w,
                              const double *half);
     /* 1 if every entry is finite */
     int (*all_finite)(int count, const double *x);
-    /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its
-     * part along them (N9). Segments from..to-1, from a lane's first. */
+    /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; removes from error (NULL:
+     * none) its part along them (N9). Segments from..to-1, from a lane's first. */
     void (*project)(int n, int from, int to, const double *y, double *correction, double *error);
 } VectorKernels;
 

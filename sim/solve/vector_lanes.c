@@ -70,7 +70,7 @@ LANE_INLINE double windows_largest(int n, int first, int last, const double *x, 
     for (int from = first; from < last; from += SCALES_WINDOW) {
         const int to = from + SCALES_WINDOW < last ? from + SCALES_WINDOW : last;
         const double mean = window_sum(n, x, w, from, to, even) / (STATE_SIZE * (to - from));
-        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays: nothing is larger */
+        if (mean > largest || isnan(mean)) largest = mean; /* a NaN is kept: no comparison with it is true */
     }
     return largest;
 }

@@ -5,7 +5,7 @@
 #include "core/team.h"
 #include "sim/solve/vector_kernels.h"
 
-/* Entries of a piece: eight vectors of it fit a core's first cache, and it is whole lanes, so that every entry is
+/* Entries of a piece: eight vectors of it fit in a core's first cache, and it is whole lanes, so that every entry is
  * computed by the same instructions as without pieces. */
 enum { PIECE = 512 };
 /* Entries from which the second thread pays: some 1000 segments in space. */
@@ -14,13 +14,13 @@ enum { LONG_VECTOR = 12000 };
 static void fill(int count, double a, double *z)
 {
     if (!(a < 0 || a > 0)) {
-        memset(z, 0, (size_t)count * sizeof *z); /* which is what CVODE asks for */
+        memset(z, 0, (size_t)count * sizeof *z); /* the case that CVODE uses */
         return;
     }
     for (int i = 0; i < count; ++i) z[i] = a;
 }
 
-/* Entries from..from+count-1 of a task. */
+/* Carries out a task on entries from..from+count-1. */
 static void task_piece(const VectorTask *t, int from, int count)
 {
     double *x[VECTOR_TERMS_MAX];
@@ -61,7 +61,7 @@ typedef struct Waiting {
     int length;
 } Waiting;
 
-/* The waiting tasks on entries from..to-1, piece by piece. */
+/* Carries out the waiting tasks on entries from..to-1, piece by piece. */
 static void stretch_run(const VectorQueue *queue, int from, int to)
 {
     for (int at = from; at < to; at += PIECE) {
@@ -70,10 +70,11 @@ static void stretch_run(const VectorQueue *queue, int from, int to)
     }
 }
 
-/* The lane that entry i is in begins there: no lane is cut, so that every entry is computed as without stretches. */
+/* First entry of the lane that contains entry i: no lane is cut, so that every entry is computed as without
+ * stretches. */
 static int lane_begin(int i) { return i / LANES * LANES; }
 
-/* The waiting tasks on what one of two threads has of every array. */
+/* Carries out the waiting tasks on one thread's part of every array. */
 static void half_run(void *arg, int rank)
 {
     const Waiting *const w = arg;

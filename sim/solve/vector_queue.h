@@ -1,7 +1,6 @@
-/* Operations on vectors that are put off until somebody looks at a number: then all of them are done together, piece by
- * piece, each piece while it is in the nearest cache. In long chains a vector comes from memory, and what the
- * integrator does between two evaluations touches the same few vectors again and again. docs/performance.md, "Scale".
- */
+/* Operations on vectors that are deferred until a number is read: then all of them are done together, piece by piece,
+ * while each piece is in the nearest cache. In long chains vectors come from main memory, and the integrator's work
+ * between two evaluations uses the same few vectors again and again. docs/performance.md, "Scale". */
 #ifndef HAWSER_SIM_SOLVE_VECTOR_QUEUE_H
 #define HAWSER_SIM_SOLVE_VECTOR_QUEUE_H
 
@@ -9,10 +8,10 @@
 
 enum {
     VECTOR_TERMS_MAX = 16, /* more than CVODE ever combines: its order is at most 12, plus 2 */
-    VECTOR_TASKS_MAX = 12  /* more than CVODE does between two looks, with its usual orders */
+    VECTOR_TASKS_MAX = 12  /* more than CVODE does between two reads, with its usual orders */
 };
 
-/* What a task does entry by entry; z may be x[0] (a sum's x[0] or x[1]). */
+/* Operation of a task on each entry; z may be x[0] (a sum's x[0] or x[1]). */
 typedef enum VectorTaskKind {
     VECTOR_FILL,       /* z = a[0] */
     VECTOR_SCALE,      /* z = a[0] x[0] */
@@ -27,23 +26,23 @@ typedef struct VectorTask {
     double *z;
 } VectorTask;
 
-/* Tasks in the order in which they were asked for, on vectors of one length. */
+/* Tasks in the order of their requests, on vectors of one length. */
 typedef struct VectorQueue {
     int tasks;
     VectorTask task[VECTOR_TASKS_MAX];
-    Team *team; /* borrowed; NULL: one thread. Entries do not know of each other: the bits are the same. */
-    /* Vectors are arrays of so many entries, one a segment, and some entries behind them: the threads share them as
-     * they do the segments, so that each finds what it wrote itself in its caches. Borrowed; 0, or NULL: in halves. */
+    Team *team; /* borrowed; NULL: one thread. Entries are independent of each other: the bits are the same. */
+    /* Vectors begin with arrays of this many entries, one per segment: the threads share them like the segments, so
+     * that each finds its own results in its caches. Borrowed; 0, or NULL: in halves. */
     const int *pitch;
 } VectorQueue;
 
 /* Does one task at once on vectors of `length`. */
 void vector_task_run(const VectorTask *task, int length);
-/* Where to write the next task; what waits is done first if there is no more room. */
+/* Place for the next task; waiting ones are done first if the queue is full. */
 VectorTask *vector_queue_next(VectorQueue *queue, int length);
-/* Forgets the latest task if it is to fill z, whose numbers nobody will read. */
+/* Removes the latest task if it fills z, whose numbers will not be read. */
 void vector_queue_unfill(VectorQueue *queue, const double *z);
-/* Does what waits. */
+/* Carries out the waiting tasks. */
 void vector_queue_flush(VectorQueue *queue, int length);
 
 #endif
