@@ -122,8 +122,8 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_START_JOLT,        /* the largest pull is not the jolt of the start */
     HAWSER_CONDITION_PEAK,              /* the largest pull is not a single spike */
     HAWSER_CONDITION_WAVES,             /* segments resolve the waves of a cable in compression */
-    HAWSER_CONDITION_SUPPORTED,         /* of theory: the cable is held up and to the side all along */
-    HAWSER_CONDITION_FRICTION,          /* of theory: there is as much friction as the surfaces have */
+    HAWSER_CONDITION_SUPPORTED,         /* of theory: the cable is supported from below and laterally */
+    HAWSER_CONDITION_FRICTION,          /* of theory: no surface has more friction than assumed */
     HAWSER_CONDITION_MEDIUM,            /* of theory: the medium resists little */
     HAWSER_CONDITION_DRIVE,             /* of theory: machines act as theory assumes */
     HAWSER_CONDITION_PULLED,            /* of theory: the cable is in tension everywhere */
