@@ -83,16 +83,17 @@ void stick_checkpoint(Checkpoint *c, StickStore *store, int rollers, int room)
     for (int i = 0; !c->status && i < n; ++i) {
         const StickRecord *const r = &store->record[i];
         checkpoint_check(c, r->roller >= 0 && r->roller < rollers && r->face >= 0 && r->face < 2 && r->element >= 0,
-                         "what sticks is impossible");
+                         "the state of friction that sticks is impossible");
     }
     for (int f = 0; !c->status && f < store->n_faces; ++f)
-        checkpoint_check(c, store->first[f] >= -1 && store->first[f] < n, "what sticks is impossible");
+        checkpoint_check(c, store->first[f] >= -1 && store->first[f] < n,
+                         "the state of friction that sticks is impossible");
 }
 
 /* m: distance from its equipment within which a contact still counts as the one in the equilibrium nearby. */
 static const double NEARBY = 0.02;
 
-static const double LIGHTEST = 1; /* N: least presumed force of a contact that closes without weight */
+static const double LIGHTEST = 1; /* N: lowest limit of the presumed force of a contact that closes */
 
 double presume_force(const Presume *how, const ImpactLaw *law, double before, double gap, double mass)
 {

@@ -61,7 +61,7 @@ int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault)
     return checkpoint_check(c, n >= 0 && (!c->reading || (size_t)n <= (c->size - c->at) / each), fault);
 }
 
-static const char IMPOSSIBLE[] = "a number of what has happened so far is impossible";
+static const char IMPOSSIBLE[] = "a count of past events is impossible";
 
 void checkpoint_counts(Checkpoint *c, int n, const int count[])
 {
@@ -155,7 +155,7 @@ void checkpoint_list(Checkpoint *c, const char *name, void **array, int *count, 
     }
     size_t size = 0;
     const void *const from = piece_next(c, name, &size);
-    if (!from || !checkpoint_check(c, size % each == 0 && size / each < INT32_MAX, "a list is not whole")) return;
+    if (!from || !checkpoint_check(c, size % each == 0 && size / each < INT32_MAX, "a list is incomplete")) return;
     const int n = (int)(size / each);
     if (n > *room) {
         void *const grown = realloc(*array, size);

@@ -252,7 +252,7 @@ hawser_status file_marks_spare(const FileMarks *files, const char *path, hawser_
     struct stat is;
     const FileMark *const mark = files->n > 0 && !stat(path, &is) ? mark_find(files, &is) : NULL;
     if (mark)
-        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is read", path,
+        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is an input", path,
                          mark->name);
     return HAWSER_OK;
 }

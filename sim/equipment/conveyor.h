@@ -76,7 +76,7 @@ static inline void conveyors_checkpoint(Checkpoint *c, const Room *room, const S
         const ConveyorRange *const r = &range[i];
         const int n = scene->chain.n, ok = r->first >= 0 && r->count >= 0 && r->first <= n - r->count &&
                                            r->watched >= 0 && r->watched < n && r->open >= 0 && r->open <= n;
-        checkpoint_check(c, ok, "what a conveyor grips is impossible");
+        checkpoint_check(c, ok, "the state of a conveyor's grip is impossible");
         checkpoint_put(c, "range[i].x", range[i].x, 2 * (size_t)range[i].n * sizeof(double));
     }
 }

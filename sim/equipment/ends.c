@@ -165,7 +165,7 @@ static void ends_checkpoint(Checkpoint *c, const Room *room, const Scene *scene,
     (void)room;
     (void)scene;
     CHECKPOINT(c, ws->tail_at);
-    checkpoint_check(c, isfinite(ws->tail_at), "a tail that is nowhere");
+    checkpoint_check(c, isfinite(ws->tail_at), "the tail's place is not a number");
 }
 
 static double ends_next_stop(const Room *room, const Scene *scene, double t)

@@ -478,4 +478,4 @@ const RoomKind JAM_ROOM = {.name = "jams",
                            .happen = jams_happen,
                            .next_stop = jams_next_stop,
                            .controls = jams_controls,
-                           .in_space = "something jams in mid-run, which theory does not know"};
+                           .in_space = "something jams during the run, which theory does not cover"};

@@ -95,7 +95,7 @@ static hawser_status command_check(const Sim *s, const Command *c, hawser_error 
 {
     const CommandKind *const kind = command_kind(c->kind);
     const double all = v3_norm(c->force) + v3_norm(c->moment) + v3_norm(c->arm);
-    if (!kind) return error_set(err, HAWSER_ERR_INPUT, "%d is no command", c->kind);
+    if (!kind) return error_set(err, HAWSER_ERR_INPUT, "%d is not a command", c->kind);
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS)
         return error_set(err, HAWSER_ERR_INPUT, "commands are for runs with 'analysis: dynamics'");
     if (!(c->ramp >= COMMAND_RAMP_LEAST && c->ramp <= COMMAND_RAMP_MOST))
@@ -226,9 +226,9 @@ hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error 
     ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1, .room = size};
     int in_space = 0;
     const size_t read = controls_go(s, &visit, &in_space);
-    if (visit.wrong) return error_set(err, HAWSER_ERR_INPUT, "what has become of commands cannot be");
+    if (visit.wrong) return error_set(err, HAWSER_ERR_INPUT, "the state of commands is impossible");
     if (read != size)
         return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
     outside_attend(&s->stage.scene, in_space); /* a planar motion is loaded as such, whatever loads act on it now */
-    return in_space ? stage_to_space(&s->stage, "in space since a command asked for it", err) : HAWSER_OK;
+    return in_space ? stage_to_space(&s->stage, "in space since a command required it", err) : HAWSER_OK;
 }

@@ -87,7 +87,7 @@ void borne_checkpoint(Checkpoint *c, Borne *borne)
 
 enum { BLOCK_LEAST = 4 }; /* least number of samples for a mean */
 
-static const double PART = 0.25; /* of a segment must pass during the push */
+static const double PART = 0.25; /* share of a segment that must pass during the push */
 
 static const double LASTS = 1; /* s, and the least duration: shorter pushes come from a stop or a jolt */
 
@@ -542,8 +542,7 @@ static Finding bend_finding(const Peaks *peaks, const Scene *scene)
 
 /* Load of a roller, N: steady or largest, with the error bound of the latter; in the first of several chains the load
  * of all. A load that arrives within the steady window counts as steady once it is there: the lasting mean is used, not
- * the mean of the window.
- * */
+ * the mean of the window. */
 static double roller_load(const Peaks *peaks, const Stats *stats, int r, int steady, double *error)
 {
     const Borne *const all = peaks->borne;
@@ -677,7 +676,7 @@ static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
     f->absent = absent;
     f->rating = c->pulled;
     snprintf(f->why, sizeof f->why,
-             "it was pushed with %.4g kN at %.4g s: a brake of about as much more is needed where the pull begins",
+             "it was in compression, %.4g kN at %.4g s: increase the back tension by about as much",
              c->most.value / 1e3, c->when);
 }
 

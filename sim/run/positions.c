@@ -279,21 +279,21 @@ const char *positions_unknown(const Stage *st)
     const SceneDef *const def = &scene->def;
     if (scene->rod->present) return "a rod is not pulled: 'analysis: static' has its equilibria";
     if (!scene->winch->present || scene->winch->mode != WINCH_SPEED) return "it needs a winch with a speed";
-    if (def->n_jams > 0) return "what jams stops at a time: 'analysis: dynamics' has that";
-    if (def->n_script > 0) return "a script changes things at times: 'analysis: dynamics' has that";
+    if (def->n_jams > 0) return "a jam happens at a time: use 'analysis: dynamics'";
+    if (def->n_script > 0) return "a script has changes in time: use 'analysis: dynamics'";
     if (scene->start || def->launch.present) return "the chain begins off its route: use 'analysis: dynamics'";
-    if (def->medium.density > 0) return "nothing in air or water is steady at once: use 'analysis: dynamics'";
+    if (def->medium.density > 0) return "motion in air or water is not steady from the start: use 'analysis: dynamics'";
     if (scene->chain.sliders.count > 0 || st->whole.sliders.count > 0)
-        return "bending that keeps some of it depends on the way: use 'analysis: dynamics'";
+        return "bending with hysteresis depends on the path: use 'analysis: dynamics'";
     if (!def->solver.relax) return "it begins with an equilibrium: 'solver.relax' must be true";
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
         if (room->present && room->kind->remembers && room->kind->remembers(room, &st->ws))
-            return "friction that sticks depends on the way: use 'friction.law: adams'";
+            return "friction that sticks depends on the path: use 'friction.law: adams'";
     }
     for (int i = 0; i < def->n_conveyors; ++i) {
         if (runs_with(scene, &def->conveyors[i]))
-            return "a belt that runs with the cable pushes by what lengths decide: use 'analysis: dynamics'";
+            return "the push of a belt at the cable's speed depends on lengths: use 'analysis: dynamics'";
     }
     return NULL;
 }
@@ -858,8 +858,8 @@ void by_position_free(ByPosition *b)
     memset(b, 0, sizeof *b);
 }
 
-/* Value at x places of the grid from its first, by linear interpolation; without it where the neighbour is on the other
- * side of the place at which the cable leaves the drum. */
+/* Value at x places of the grid from its first, on the line through two neighbours on the same side of the place at
+ * which the cable leaves the drum; the value of the end itself if it has no such neighbour. */
 static double on_grid(const ByPosition *b, const double *of, double x)
 {
     const int last = b->n_grid - 2;

@@ -541,8 +541,7 @@ static hawser_status quasi_peaks(Sim *s, hawser_error *err)
 }
 
 /* Shares of the pull: largest oscillation, and largest difference of a position from the mean, with which positions may
- * begin (QS2), (QS3).
- * */
+ * begin (QS2), (QS3). */
 static const double SWING = 0.01, APART = 0.01;
 
 static const double STRETCH = 3; /* windows: least duration of a stretch of positions */
@@ -746,8 +745,7 @@ static hawser_status hang(Sim *s, double until, hawser_error *err)
 }
 
 /* Checks whether the segment at the head is far enough behind the last whose offset was found; the distance falls as
- * the front comes to the winch.
- * */
+ * the front comes to the winch. */
 static int hang_due(const Sim *s)
 {
     const Scene *const scene = &s->stage.scene;
@@ -899,7 +897,8 @@ void quasi_checkpoint_before(Checkpoint *c, Sim *s)
     QuasiRun *const q = &s->quasi;
     int on = q->stage.on;
     CHECKPOINT(c, on);
-    if (!checkpoint_check(c, on == 0 || (on == 1 && q->stage.damping), "positions move what they cannot")) return;
+    if (!checkpoint_check(c, on == 0 || (on == 1 && q->stage.damping), "positions move a scene that they cannot move"))
+        return;
     if (c->reading && !c->status && q->stage.damping && on != q->stage.on) quasi_damping(&q->stage, &s->stage, !on);
     q->stage.on = on;
 }

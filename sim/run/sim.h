@@ -10,7 +10,7 @@
  * Errors: INPUT (the scene cannot be built: names the key), MEMORY, RUN. */
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err);
 Sim *sim_free(Sim *s);
-#define START_MOVED_SAYS "the chain began inside of what it is pulled over, and was moved out"
+#define START_MOVED_SAYS "the chain began inside its supports and was moved out"
 /* Checks whether the cable of a pull is still on its supports: at rest before t = 0, and since. Errors: RUN, with the
  * place and what would hold it, unless the case allows going on; INPUT never. */
 hawser_status place_check(Sim *s, hawser_error *err);

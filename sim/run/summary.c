@@ -186,7 +186,7 @@ static void assumed_add(const Sim *s, int n, hawser_limit *limit)
     for (int i = 0; i < n; ++i) {
         if (!limits_is(limit[i].kind, LIMIT_ESSENTIAL)) continue;
         limit[i].judged = limit[i].ok = 0;
-        snprintf(limit[i].source, sizeof limit[i].source, "theory cannot vary what is assumed: %.120s", err.message);
+        snprintf(limit[i].source, sizeof limit[i].source, "theory fails for assumed values: %.120s", err.message);
     }
 }
 

@@ -403,7 +403,7 @@ static void add_friction_speed(List *list, const TrustFacts *f)
     const double speed = pulled_at(f);
     if (!(slowest.speed > 0 && speed > 0)) return;
     add(list, HAWSER_CONDITION_FRICTION_SPEED, slowest.speed / speed, SLOWEST,
-        "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
+        "the pull is too slow for full friction: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
         strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
@@ -459,7 +459,7 @@ static void add_damping(List *list, const TrustFacts *f)
 static void add_error(List *list, hawser_condition_kind kind, const char *figure, const hawser_error_bar *bar,
                       double size, double allowed)
 {
-    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    const char *of = "friction that is not fully developed", *remedy = "a friction.v_s far below the pull's speed";
     if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
         of = "the mesh";
         remedy = "a shorter chain.segment";
@@ -588,8 +588,8 @@ static void add_rest(List *list, const TrustFacts *f)
     const int rests = (scene->def.solver.relax || !dynamic) && tolerance > 0;
     if (rests && rod_is_loose(scene)) {
         add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
-            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
-            "to false");
+            "nothing holds the rod: it has no equilibrium and begins where the case puts it: hold an end, or set "
+            "solver.relax to false");
     } else if (rests) {
         add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",

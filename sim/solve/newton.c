@@ -854,7 +854,7 @@ static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, i
     CHECKPOINT(c, room);
     CHECKPOINT(c, item->border);
     CHECKPOINT(c, item->wide);
-    if (!checkpoint_check(c, room == ROOM || room == ROOM_WIDE, "a roller's room is impossible")) return;
+    if (!checkpoint_check(c, room == ROOM || room == ROOM_WIDE, "a roller's capacity is impossible")) return;
     if (c->reading && room != item->room && !(item_room(item, room) && equipment_room(w, k, room))) checkpoint_lack(c);
     CHECKPOINT(c, item->turning);
     CHECKPOINT(c, item->k_own);
@@ -864,7 +864,7 @@ static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, i
     checkpoint_put(c, "item->touch", item->touch, (size_t)item->touched * sizeof *item->touch);
     for (int t = 0; !c->status && t < item->touched; ++t) {
         const int at = item->touch[t].block;
-        checkpoint_check(c, at >= 0 && at < segments, "a roller touches what is not there");
+        checkpoint_check(c, at >= 0 && at < segments, "a roller touches a segment that does not exist");
     }
 }
 

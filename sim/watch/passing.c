@@ -52,8 +52,7 @@ typedef struct Crossing {
 } Crossing;
 
 /* Crossing of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's
- * middle.
- * */
+ * middle. */
 static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller, double reach)
 {
     const Crossing none = {INFINITY, 0, 0};
@@ -123,7 +122,7 @@ hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
     p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
     p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
     if (!p->side || !p->gone || !p->seen) return error_memory(err);
-    snprintf(p->says, sizeof p->says, "the cable has got through something");
+    snprintf(p->says, sizeof p->says, "the cable has passed through a support");
     snprintf(p->overlap.says, sizeof p->overlap.says, "cables lie inside each other");
     const double cable = thickest(&scene->chain);
     for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
@@ -140,7 +139,8 @@ static int note(Passing *p, int body, const char *what, const char *name, double
     if (p->gone[body]) return 0;
     p->gone[body] = 1;
     if (++p->through > 1) return 0;
-    snprintf(p->says, sizeof p->says, "the cable has got through %s '%s'%s", what, name, t > 0 ? "" : " before t = 0");
+    snprintf(p->says, sizeof p->says, "the cable has passed through %s '%s'%s", what, name,
+             t > 0 ? "" : " before t = 0");
     return 1;
 }
 
@@ -193,8 +193,7 @@ static int patch_look(Passing *p, const Scene *scene, const Workspace *ws, doubl
 
 /* Updates, for a rod and a plane at any distance, which segments have been before the plane. Returns 1 if the rod runs
  * through it: of two neighbours that were before it one is behind by more than the cable's radius, and the line between
- * them meets it.
- * */
+ * them meets it. */
 static int plane_pierced(Passing *p, const Scene *scene, const Kinematics *kin, const SurfacePatch *patch)
 {
     const int face = SURFACE_FACES_MAX * patch->surface + patch->face;

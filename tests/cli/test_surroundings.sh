@@ -87,7 +87,7 @@ all_sums() { (cd "$work" && find own links hard alone shown -type f -exec cksum 
 all_sums >"$work/sums"
 while read -r file call; do
     run_hawser 2 $call
-    says err "cannot write '" "$file', which is read"
+    says err "cannot write '" "$file', which is an input"
     all_sums | cmp -s - "$work/sums" || fail "$what: something was written, moved or made"
 done <<CALLS
 inputs.csv run own/case.yaml -o own

@@ -179,7 +179,7 @@ static void keep_sticks(Checkpoint *c, void *of)
 
 TEST(test_sticks)
 {
-    static const char words[] = "what sticks is impossible";
+    static const char words[] = "the state of friction that sticks is impossible";
     Sticks s = {.rollers = 2, .room = 3}, to = {.rollers = 2, .room = 1};
     assert_true(stick_reserve(&s.store, 2, 3));
     for (int k = 0; k < 3; ++k) s.store.fresh[k] = (StickRecord){k / 2, k % 2, 4 + 7 * k, 0, {k, -k, 0.5}};

@@ -131,7 +131,7 @@ TEST(test_changed)
     changed(0, 1, "no piece 'k->number'");
     changed(8, 1 << 20, "no piece 'k->number'"); /* longer than what there is */
     changed(8, 4, "has 4 bytes, here it has 8");
-    changed(list + 8, 18, "a list is not whole");
+    changed(list + 8, 18, "a list is incomplete");
     changed(list, 5, "no piece 'list'");
     changed(text + HEAD, UINT64_C(0x6161616161616161), "a text has no end");
     Checkpoint c = written();
@@ -360,8 +360,7 @@ TEST(test_counts)
             checkpoint_longs(&reading[1], 3, longs);
             assert_int_equal(reading[0].status, row[k].count ? HAWSER_OK : HAWSER_ERR_INPUT);
             assert_int_equal(reading[1].status, row[k].longs ? HAWSER_OK : HAWSER_ERR_INPUT);
-            if (!row[k].count)
-                assert_string_equal(reading[0].fault, "a number of what has happened so far is impossible");
+            if (!row[k].count) assert_string_equal(reading[0].fault, "a count of past events is impossible");
             Checkpoint writing = checkpoint_new(ROOM);
             checkpoint_counts(&writing, 3, count);
             checkpoint_longs(&writing, 3, longs);

@@ -51,7 +51,7 @@ TEST(rollers_have_sides)
     assert_int_equal(sim->passing.through, 0);
     assert_int_equal(look_after(sim, -0.5), 1); /* below them all */
     check_above(sim->passing.through, 3);
-    check_has(sim->passing.says, "the cable has got through roller '");
+    check_has(sim->passing.says, "the cable has passed through roller '");
     assert_int_equal(look_after(sim, 0), 0); /* said once */
     sim_free(sim);
 }
@@ -65,7 +65,7 @@ TEST(floors_have_a_free_side)
         assert_int_equal(look_after(sim, -8.5), 0);
         assert_int_equal(look_after(sim, -1), 1);
         assert_int_equal(sim->passing.through, 1);
-        check_has(sim->passing.says, "the cable has got through surface 'floor'");
+        check_has(sim->passing.says, "the cable has passed through surface 'floor'");
         sim_free(sim);
         Sim *const behind = sim_over(1, bounded ? 100 : 0);
         assert_int_equal(look_after(behind, -9.6), bounded ? 0 : 1);
@@ -112,7 +112,7 @@ TEST(rods_do_not_run_through_planes)
         assert_int_equal(look_after(sim, 0), 0);
         assert_int_equal(drops(sim, 5), !beside);
         assert_int_equal(sim->passing.through, !beside);
-        if (!beside) check_has(sim->passing.says, "the cable has got through surface 'table'");
+        if (!beside) check_has(sim->passing.says, "the cable has passed through surface 'table'");
         sim_free(sim);
     }
     Sim *const from_the_first = rod_over(1);

@@ -56,13 +56,13 @@ static const struct {
     {rod, NULL, "a rod is not pulled"},
     {placed, no_winch, "it needs a winch with a speed"},
     {placed, set_tension, "it needs a winch with a speed"},
-    {placed, jams, "what jams stops at a time"},
-    {placed, script, "a script changes things at times"},
+    {placed, jams, "a jam happens at a time"},
+    {placed, script, "a script has changes in time"},
     {placed, launched, "the chain begins off its route"},
-    {placed, in_water, "nothing in air or water is steady at once"},
+    {placed, in_water, "motion in air or water is not steady from the start"},
     {placed, not_relaxed, "it begins with an equilibrium"},
-    {placed, sticks, "friction that sticks depends on the way"},
-    {belt, NULL, "a belt that runs with the cable pushes by what lengths decide"},
+    {placed, sticks, "friction that sticks depends on the path"},
+    {belt, NULL, "the push of a belt at the cable's speed depends on lengths"},
 };
 
 /* The definition is taken. */

@@ -170,7 +170,7 @@ TEST(what_is_read_stays)
     scratch_write("own/workers/list.csv", list);
     hawser_study *const s = study_open(study_write("fidelity: theory\nlist: {file: own/workers/list.csv}\n"));
     assert_int_equal(hawser_study_run(s, scratch_path("own"), &options, &err), HAWSER_ERR_INPUT);
-    check_has(err.message, "own/workers/list.csv', which is read");
+    check_has(err.message, "own/workers/list.csv', which is an input");
     hawser_study_free(s);
 }
 
