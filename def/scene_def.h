@@ -57,6 +57,7 @@ typedef struct FrictionKnown {
     double low, high; /* FRICTION_TYPICAL: usual range of the kinetic coefficient */
     char of[64];      /* FRICTION_TYPICAL: name of the item */
     int rest_assumed; /* one coefficient stands for motion and rest */
+    int apart;        /* the kinetic coefficient has the key mu_d, not mu */
     char key[40];     /* of the section that gives or would give it: "surfaces.ducts.0.friction"; empty: "friction" */
 } FrictionKnown;
 

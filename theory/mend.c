@@ -147,7 +147,7 @@ int frictions_used(const Setup *setup, int most, FrictionUsed out[])
         int known = !is_used(setup, i);
         for (int k = 0; k < n; ++k) known |= !strcmp(out[k].key, law.key);
         if (known) continue;
-        out[n] = (FrictionUsed){*law.moving, *law.rest, law.known.rest_assumed, ""};
+        out[n] = (FrictionUsed){*law.moving, *law.rest, law.known.rest_assumed, law.known.apart, ""};
         memcpy(out[n++].key, law.key, sizeof law.key);
     }
     return n;

@@ -48,8 +48,8 @@ int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS]);
 void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KEY_MAX]);
 /* A friction that theory uses, and the section of the case that gives it. */
 typedef struct FrictionUsed {
-    double moving, rest; /* 1 */
-    int rest_assumed;
+    double moving, rest;       /* 1 */
+    int rest_assumed, apart;   /* as in FrictionKnown */
     char key[ASSUMED_KEY_MAX]; /* "friction", "surfaces.ducts.0.friction", "theory.stretches.1" */
 } FrictionUsed;
 

@@ -745,7 +745,7 @@ Remedy friction_part(const Setup *setup, double now, double most)
     Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", now);
     r.unit = "1";
     r.most = most;
-    if (n == 1) snprintf(r.key, sizeof r.key, "%.40s.mu%s", used[0].key, apart ? "_d" : "");
+    if (n == 1) snprintf(r.key, sizeof r.key, "%.40s.mu%s", used[0].key, used[0].apart ? "_d" : "");
     if (apart) show_bound(most / now * used[top].rest, 0, "1", HAWSER_SI, r.also);
     return r;
 }

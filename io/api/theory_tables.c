@@ -550,9 +550,8 @@ static int friction_rows(const Setup *setup, const Mend *m, RemedyRow *row)
     int n = 0;
     for (int i = 0; i < sections; ++i) {
         const FrictionUsed *const f = &used[i];
-        const char *const moving = f->rest_assumed || !strncmp(f->key, "theory", 6) ? "" : "_d";
         row[n] = remedy_row(m, "friction", f->moving, share * f->moving);
-        snprintf(row[n++].key, sizeof row->key, "%.40s.mu%s", f->key, moving);
+        snprintf(row[n++].key, sizeof row->key, "%.40s.mu%s", f->key, f->apart ? "_d" : "");
         if (f->rest_assumed) continue;
         row[n] = remedy_row(m, "friction", f->rest, share * f->rest);
         snprintf(row[n++].key, sizeof row->key, "%.40s.mu_s", f->key);

@@ -895,6 +895,7 @@ FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, con
     }
     if (moving || rest) case_node_path(node, known.key, sizeof known.key);
     known.rest_assumed = !rest && (both || base->rest_assumed);
+    if (moving || rest) known.apart = own || !both;
     return known;
 }
 

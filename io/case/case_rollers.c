@@ -713,7 +713,7 @@ static hawser_status roller_friction(const CaseReader *r, Row *row)
     FrictionKnown *const known = &row->roller.friction_known;
     *known = case_friction_known(r, case_node_key(row->node, "friction"), &r->def->friction_known);
     if (known->source == FRICTION_UNKNOWN) /* TES-P-104.05: rollers that turn freely */
-        *known = (FrictionKnown){FRICTION_TYPICAL, 0.1, 0.2, "cables on rollers", known->rest_assumed, ""};
+        *known = (FrictionKnown){FRICTION_TYPICAL, 0.1, 0.2, "cables on rollers", known->rest_assumed, 0, ""};
     return case_friction_read(r, case_node_key(row->node, "friction"), &r->def->friction, &row->roller.friction);
 }
 

@@ -218,4 +218,35 @@ TEST(occupied_duct)
     hawser_case_free(c);
 }
 
+/* A remedy names the key that the case gives: beside mu_s that is mu, or mu_d. (It was mu_d for both, and to set that
+ * beside mu is an error.) */
+TEST(remedies_name_the_given_key)
+{
+    static const char *const given[][2] = {{"mu: 0.3, mu_s: 0.4", "friction.mu"},
+                                           {"mu_d: 0.3, mu_s: 0.4", "friction.mu_d"}};
+    for (int k = 0; k < 2; ++k) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "cables: {c: {d: 60 mm, mass: 6 kg/m}}\nfriction: {%s}\nlimits: {pull: 10 kN, sidewall: 30 kN/m}\n"
+                 "surfaces: {ducts: [{radius: 90 mm}]}\ndrive: {tail: {tension: 0 N}}\n"
+                 "route: {pieces: [{straight: 400 m}, {bend: 90 deg, radius: 20 m, plane: left}, {straight: 60 m}]}\n",
+                 given[k][0]);
+        hawser_case *c = NULL;
+        hawser_error err = {0};
+        char *said = NULL;
+        if (hawser_case_load(scratch_write("given.yaml", text), &c, &err)) fail_msg("%s", err.message);
+        assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &said, &err), HAWSER_OK);
+        json_t *const doc = json_loads(said, 0, NULL);
+        hawser_text_free(said);
+        const json_t *const remedy = json_array_get(json_object_get(doc, "remedies"), 0);
+        assert_string_equal(json_string_value(json_object_get(remedy, "remedy")), "friction");
+        assert_string_equal(json_string_value(json_object_get(remedy, "key")), given[k][1]);
+        char value[32];
+        snprintf(value, sizeof value, "%g", number(remedy, "value"));
+        assert_int_equal(hawser_case_set(c, given[k][1], value, &err), HAWSER_OK);
+        json_decref(doc);
+        hawser_case_free(c);
+    }
+}
+
 TEST_GROUP(scratch_make, scratch_remove)

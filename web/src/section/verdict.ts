@@ -123,7 +123,7 @@ function changes(context: Context): HTMLElement[] {
     case 'unsafe':
       return [
         ...brokenRemedies(context),
-        el('p', { class: 'detail' }, 'A remedy looks at its own limit alone: compute again with it.'),
+        el('p', { class: 'detail' }, 'A remedy is calculated from the figures of this run: compute again with it.'),
       ];
     case 'conditional': {
       const bounds = (summary.limits ?? []).filter((limit) =>
