@@ -1,12 +1,12 @@
-/* Calls of version 3.0 that the description denies: types that no variable has, events, clocks, derivatives,
- * configuration, model exchange, scheduled execution. All are there, since importers look them up when they load the
- * library; one that keeps to the description calls none of them, another gets an error with a message. */
+/* Calls of version 3.0 that the description excludes: types that no variable has, events, clocks, derivatives,
+ * configuration, model exchange, scheduled execution. All of them exist, since importers look them up when they load
+ * the library; one that follows the description calls none of them, another gets an error with a message. */
 #include "fmi/standard/fmi3.h"
 #include "fmi/unit/unit.h"
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-/* Nothing may be asked of no variables. */
+/* Accepts a request for no variables. */
 #define NO_VARIABLE_IS(NAME)                                                                                           \
     fmi3Status fmi3Get##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[],              \
                              size_t n_values)                                                                          \
