@@ -239,9 +239,7 @@ int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const
 
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 
-enum {
-    CONVERSION = 64 << 10
-}; /* bytes in which HDF5 turns doubles into floats: its own 1 MB is cleared at each write */
+enum { CONVERSION = 64 << 10 }; /* bytes of HDF5's buffer for conversions: its own 1 MB is cleared at each write */
 
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
