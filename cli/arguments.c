@@ -1,5 +1,5 @@
-/* What a user can say after a command's name. One table holds every option there is; each command names the letters
- * of those that it takes, so that an option that makes no sense for it is refused like an unknown one. */
+/* Parses the words after a command's name. One table holds all options; each command lists the letters of those that it
+ * takes, so that an option without meaning for it is rejected like an unknown one. */
 #include "cli/arguments.h"
 
 #include <getopt.h>
@@ -55,7 +55,7 @@ enum {
     KNOWN_MAX = 22
 };
 
-/* Every option of every command; a command takes those whose letter is in its list, and help and version. */
+/* All options of all commands; a command takes those whose letter is in its list, and help and version. */
 static const struct option all_options[] = {{"output", required_argument, NULL, 'o'},
                                             {"set", required_argument, NULL, 's'},
                                             {"threads", required_argument, NULL, 't'},
@@ -112,10 +112,10 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
 
-/* The options of one command: the long ones into `list` (ended by zeros), the letters into `letters`. */
+/* Selects the options of one command: the long ones into `list` (ended by zeros), the letters into `letters`. */
 static void select_options(const Command *command, struct option *list, char *letters)
 {
-    *letters++ = ':'; /* a missing value comes back as ':' */
+    *letters++ = ':'; /* getopt returns a missing value as ':' */
     for (const struct option *o = all_options; o->name; o++) {
         if (!strchr("hV", o->val) && !strchr(command->options, o->val)) continue;
         *list++ = *o;
@@ -128,7 +128,7 @@ static void select_options(const Command *command, struct option *list, char *le
     memset(list, 0, sizeof *list);
 }
 
-/* getopt has just returned '?'. */
+/* Reports the option for which getopt has just returned '?'. */
 static int complain_option(char **argv, const struct option *list)
 {
     const char letter[] = {'-', (char)optopt, 0};
@@ -145,7 +145,7 @@ static int complain_option(char **argv, const struct option *list)
     return EXIT_USAGE;
 }
 
-/* Only what was measured to help is offered: one thread or two. Anything that is not exactly such a number is refused,
+/* Accepts one thread or two, the choices that measurably help. Anything that is not exactly such a number is rejected,
  * not rounded or cut. */
 static int parse_threads(const char *text, Arguments *args)
 {
@@ -157,7 +157,7 @@ static int parse_threads(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* A whole number from `least` to `most`, of `what`. */
+/* Reads a whole number from `least` to `most`, of `what`. */
 static int parse_count(const char *option, const char *text, const char *what, int least, int most, int *count)
 {
     char *end;
@@ -168,7 +168,7 @@ static int parse_count(const char *option, const char *text, const char *what, i
     return EXIT_USAGE;
 }
 
-/* The options of `study`: who computes it, in how many pieces. */
+/* Takes the options of `study`: the computing processes and the number of tasks. */
 static int take_study_option(int letter, Arguments *args)
 {
     int status = ARGUMENTS_GO_ON;
@@ -184,7 +184,7 @@ static int take_study_option(int letter, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --format: the three forms of hawser_format by name. */
+/* Reads --format: the three forms of hawser_format by name. */
 static int parse_format(const char *text, Arguments *args)
 {
     const char *const names[] = {"table", "json", "csv"};
@@ -198,7 +198,7 @@ static int parse_format(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --fmi: a version of the interface, by its first number. */
+/* Reads --fmi: a version of the interface, by its first number. */
 static int parse_fmi(const char *text, Arguments *args)
 {
     const int two = !strcmp(text, "2") || !strcmp(text, "2.0"), three = !strcmp(text, "3") || !strcmp(text, "3.0");
@@ -208,7 +208,7 @@ static int parse_fmi(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --units: of what people read; files and formats for programs are in SI. */
+/* Reads --units, for text for readers; files and formats for programs are in SI. */
 static int parse_units(const char *text, Arguments *args)
 {
     args->units = strcmp(text, "us") ? HAWSER_SI : HAWSER_US;
@@ -217,7 +217,7 @@ static int parse_units(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* A format for programs has no units to choose. */
+/* Rejects units with a format for programs. */
 static int settle_units(Arguments *args)
 {
     if (args->units == HAWSER_SI) return ARGUMENTS_GO_ON;
@@ -229,7 +229,7 @@ static int settle_units(Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --tolerance: "0.5%" or "0.005". */
+/* Reads --tolerance: "0.5%" or "0.005". */
 static int parse_tolerance(const char *text, Arguments *args)
 {
     char *end;
@@ -244,7 +244,7 @@ static int parse_tolerance(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --effort: in runs of the case. */
+/* Reads --effort, in runs of the case. */
 static int parse_effort(const char *text, Arguments *args)
 {
     char *end;
@@ -254,7 +254,7 @@ static int parse_effort(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* A length in metres, "10" or "10 m"; mm for what is small. */
+/* Reads a length in metres, "10" or "10 m"; mm for small ones. */
 static int parse_length(const char *option, const char *text, double *metres)
 {
     char *end;
@@ -267,7 +267,7 @@ static int parse_length(const char *option, const char *text, double *metres)
     return EXIT_USAGE;
 }
 
-/* The options of `route`: what is wanted of the file. */
+/* Takes the options of `route` for reading the file. */
 static int take_route_option(int letter, hawser_route_options *route)
 {
     switch (letter) {
@@ -305,7 +305,7 @@ static int take_route_option(int letter, hawser_route_options *route)
     }
 }
 
-/* A number, with one of two units behind it or none. */
+/* Reads a number, with one of two units behind it or none. */
 static int parse_number(const char *option, const char *text, const char *unit, const char *other, double *value)
 {
     char *end;
@@ -317,7 +317,7 @@ static int parse_number(const char *option, const char *text, const char *unit, 
     return EXIT_USAGE;
 }
 
-/* The options of `compare`: how the log is laid beside the results. */
+/* Takes the options of `compare` for fitting the log to the results. */
 static int take_compare_option(int letter, hawser_compare_options *compare)
 {
     int status = ARGUMENTS_GO_ON;
@@ -338,14 +338,14 @@ static int take_compare_option(int letter, hawser_compare_options *compare)
     return EXIT_USAGE;
 }
 
-/* There are never more settings than words on the command line, for which room was made. */
+/* Needs no check of the size: memory was allocated for as many settings as there are words on the command line. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
     args->settings[args->n_settings++] = (Setting){key, value};
     return ARGUMENTS_GO_ON;
 }
 
-/* A setting must look like one; the library says whether the key exists. The text is cut in two. */
+/* Splits a setting's text in two; the library checks whether the key exists. */
 static int parse_setting(char *text, Arguments *args)
 {
     char *equal = strchr(text, '=');
@@ -357,7 +357,7 @@ static int parse_setting(char *text, Arguments *args)
     return add_setting(text, equal + 1, args);
 }
 
-/* --certify, and what implies it. */
+/* Takes --certify, and options that imply it. */
 static int take_certify_option(int letter, Arguments *args)
 {
     args->certify = 1;
@@ -365,8 +365,8 @@ static int take_certify_option(int letter, Arguments *args)
     return letter == OPTION_EFFORT ? parse_effort(optarg, args) : ARGUMENTS_GO_ON;
 }
 
-/* Acts on one option that getopt has recognised; optarg is its value. --help and --version end the parsing with
- * the exit status of having printed. */
+/* Takes one option that getopt has recognised; optarg is its value. --help and --version print and end the parsing with
+ * their exit status. */
 static int take_option(const Command *command, int letter, Arguments *args)
 {
     static const char of_route[] = {
@@ -465,7 +465,7 @@ static int take_option(const Command *command, int letter, Arguments *args)
     }
 }
 
-/* A run that is gone on with is in its folder: case, settings, and where its results are. */
+/* Takes a resumed run's folder, which has the case, the settings and the results. */
 static int take_resumed(int argc, char **argv, Arguments *args)
 {
     const char *const word = optind < argc      ? argv[optind]
@@ -480,8 +480,8 @@ static int take_resumed(int argc, char **argv, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case;
- * or up to two, of the catalogue. */
+/* Takes the remaining words: exactly one, the case; or none, for a command without a case; or up to two, of the
+ * catalogue. */
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
     if (strchr(command->options, '+')) {
@@ -530,8 +530,8 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
     return EXIT_USAGE;
 }
 
-/* getopt moves the options before the other words, so that they may stand anywhere; after "--" there are none.
- * Every message about the command line comes from here, not from getopt. */
+/* getopt moves the options before the other words, so that they may stand anywhere; after "--" there are none. All
+ * messages about the command line come from this file, not from getopt. */
 int arguments_parse(const Command *command, int argc, char **argv, Arguments *args)
 {
     struct option list[KNOWN_MAX];

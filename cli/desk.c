@@ -23,7 +23,7 @@ static const char help[] =
     "\n"
     "Exit status: 0 done; 2 the case cannot be read; 4 the file cannot be written; 5 no memory.\n";
 
-/* Leaves it to the desktop which browser that is. */
+/* Opens the page in the desktop's default browser. */
 static void open_page(const char *path)
 {
     char *const command[] = {"xdg-open", (char *)(size_t)path, NULL};

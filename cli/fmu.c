@@ -1,4 +1,4 @@
-/* hawser fmu: a case as an archive that other programs of simulation take in. */
+/* hawser fmu: a case as an archive for other simulation programs. */
 #include "cli/commands.h"
 
 #include <stdio.h>
@@ -24,7 +24,7 @@ static const char help[] =
     "The library in the file is for Linux on x86-64 and needs the system's C library and libmetis.\n"
     "Exit status: 0 done; 2 the case or the command line is wrong; 4 the file could not be written; 5 no memory.\n";
 
-/* "tunnel.fmu" of "some/where/tunnel.yaml"; malloc'ed; NULL without memory. */
+/* Returns "tunnel.fmu" for "some/where/tunnel.yaml"; malloc'ed; NULL without memory. */
 static char *default_file(const char *case_path)
 {
     const char *const slash = strrchr(case_path, '/'), *const name = slash ? slash + 1 : case_path;

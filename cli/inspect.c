@@ -1,4 +1,4 @@
-/* The commands that print a text of the library's: about a case, without simulating it, or about the library itself. */
+/* Commands that print a text of the library: about a case, without simulating it, or about the library itself. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -82,7 +82,7 @@ static const char schema_help[] = "Usage: hawser schema [options]\n"
 
 typedef hawser_status (*Describe)(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 
-/* Loads the case, asks the library for its text and prints that. */
+/* Loads the case and prints the text that the library returns. */
 static int print_case(const Arguments *args, Describe describe)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -96,7 +96,7 @@ static int print_case(const Arguments *args, Describe describe)
     return finish_stdout(exit_status(status, &err));
 }
 
-/* The list of equipment into a file. */
+/* Writes the list of equipment into a file. */
 static int write_list(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -116,11 +116,11 @@ static int write_list(const Arguments *args)
     if (!number) return 0;
     if (number == ENOMEM) return exit_status(HAWSER_ERR_MEMORY, &(hawser_error){.message = "out of memory"});
     complain("%s: cannot be written: %s", args->crew, strerror(number));
-    if (file) remove(args->crew); /* no half of it */
+    if (file) remove(args->crew); /* leaves no half of it */
     return EXIT_OUTPUT;
 }
 
-/* The two commands differ in what they ask the library for. */
+/* The two commands differ only in the function of the library. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
 
 static int print_theory(const Arguments *args)
@@ -138,7 +138,7 @@ static int print_theory(const Arguments *args)
     return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
 }
 
-/* The case whose calculation is written. */
+/* Writes a sheet of a case. */
 typedef hawser_status (*SheetWrite)(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                     hawser_error *err);
 
@@ -169,7 +169,7 @@ static int write_crew(const Arguments *args)
 {
     const size_t n = strlen(args->crew);
     if (n > 4 && !strcmp(args->crew + n - 4, ".csv")) return write_list(args);
-    Arguments lenient = *args; /* the verdict's status is that of what is printed */
+    Arguments lenient = *args; /* the verdict's exit status comes from the printed text */
     lenient.strict = 0;
     return write_page(&lenient, hawser_case_crew_sheet, args->crew);
 }
@@ -209,7 +209,7 @@ static int validate(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-/* Words: file, kind, name, and a value at least. */
+/* Takes the words: file, kind, name, and at least one value. */
 static int library_add(const Arguments *args)
 {
     char *const *const word = args->words;
@@ -264,7 +264,7 @@ const Command command_theory = {"theory", "the pulling calculation alone: verdic
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};
 
-/* hawser place: where machines and pits go. */
+/* hawser place: places of machines and pits. */
 
 static const char help[] =
     "Usage: hawser place CASE [options]\n"
@@ -310,7 +310,7 @@ static int place(const Arguments *args)
 const Command command_place = {"place", "where machines and pits go, the fewest that keep all limits", "sfuoS123", help,
                                place};
 
-/* The command that rewrites a case in today's words. */
+/* The command that rewrites a case in the present format. */
 
 static const char upgrade_help[] =
     "Usage: hawser upgrade CASE [options]\n"

@@ -1,6 +1,6 @@
-/* How a run ends before its time. A signal asks; the library is told at its next step or iteration and ends with what
- * there is. Where it does not listen soon enough, as within the factorisation of a large dense matrix, the program ends
- * all the same: every file is then as at its last flush, which is what readers of a run that goes on see, too. */
+/* Ends a run early. After a signal the library stops at its next step or iteration and keeps the results so far. Where
+ * it does not check soon enough, as within the factorisation of a large dense matrix, the program ends all the same:
+ * every file is then as at its last flush, as for readers of a run in progress. */
 #include "cli/commands.h"
 
 #include <signal.h>
@@ -9,16 +9,16 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* How long the library has to notice: us of its own processor time, so that on a busy machine it gets as far as on an
- * idle one, and s of wall time for what waits without using any. */
+/* Time for the library to stop: us of its own processor time, so that on a busy machine it gets as far as on an idle
+ * one, and s of wall time for waiting without processor time. */
 enum { PATIENCE = 450000, LONGEST_WAIT = 20 };
 
 static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
 
-/* Set by a signal: the only thing that a handler may touch. */
+/* Set by a signal: the only variable that a handler may use. */
 static volatile sig_atomic_t interrupted;
 
-/* Both times; 0, 0: it has noticed. */
+/* Sets both times; 0, 0: the library has stopped. */
 static void set_timers(long processor_us, long wall_s)
 {
     const struct itimerval processor = {.it_value = {.tv_usec = processor_us}}, wall = {.it_value = {.tv_sec = wall_s}};
@@ -26,7 +26,7 @@ static void set_timers(long processor_us, long wall_s)
     setitimer(ITIMER_REAL, &wall, NULL);
 }
 
-/* The first signal ends the run at its next step, a second one at once. */
+/* Ends the run at its next step after the first signal, at once after a second one. */
 static void on_signal(int number)
 {
     interrupted = 1;
@@ -34,7 +34,7 @@ static void on_signal(int number)
     set_timers(PATIENCE, LONGEST_WAIT);
 }
 
-/* Nobody has looked at `interrupted`. */
+/* Ends the program: `interrupted` was not checked in time. */
 static void on_alarm(int number)
 {
     static const char says[] = "hawser: stopped within a step that takes long; results are those of the last flush\n";
@@ -64,7 +64,7 @@ void interrupt_watch(void)
     struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART}, old;
     sigemptyset(&action.sa_mask);
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
-        /* under nohup a hang-up stays ignored; a script's background job is to end when it is told so */
+        /* under nohup a hang-up stays ignored; a script's background job ends on a signal */
         const int kept = ends[k] == SIGHUP && !sigaction(ends[k], NULL, &old) && old.sa_handler == SIG_IGN;
         if (!kept) sigaction(ends[k], &action, NULL);
     }

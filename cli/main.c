@@ -1,5 +1,5 @@
-/* hawser, the program: written against the public interface alone. What a process has to see to stands here, what it
- * says and does in program.c. */
+/* hawser, the program: written with the public interface alone. The set-up of the process is here, its output and
+ * actions are in program.c. */
 #include "cli/commands.h"
 
 #include <errno.h>
@@ -11,10 +11,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* A program may be started with standard input, output or error closed. The next file that it opens, a file of results,
- * would then take that number, and progress or the report would be written into it. What cannot be written stays an
- * error: the place is taken by a file that can only be read. Returns 0 if that cannot be
- * prevented. */
+/* Occupies closed standard descriptors. A program may be started with standard input, output or error closed. The next
+ * file that it opens, a file of results, would then take that number, and progress or the report would be written into
+ * it. Writing must fail: the descriptor gets a file that can only be read. Returns 0 if that fails. */
 static int take_descriptors(void)
 {
     int fd;
@@ -24,7 +23,7 @@ static int take_descriptors(void)
     return fd > 2;
 }
 
-/* Less than this and the program would end by a signal somewhere on its way. Returns 0 if there is less. */
+/* Checks the stack: with less the program would end by a signal at some time. Returns 0 if it is too small. */
 static int stack_suffices(void)
 {
     enum { LEAST = 512 }; /* KiB */
@@ -35,8 +34,8 @@ static int stack_suffices(void)
     return 0;
 }
 
-/* Programs that are called (a browser, Slurm's) are looked for where the path says, but not in the current folder,
- * whatever that is: elements that are empty or relative are left out. 0: no memory. */
+/* Removes empty and relative elements from the path: called programs (a browser, Slurm's) must not be found in the
+ * current folder. 0: no memory. */
 static int path_settle(void)
 {
     const char *at = getenv("PATH");
@@ -57,7 +56,7 @@ static int path_settle(void)
 
 int main(int argc, char **argv)
 {
-    static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
+    static char room[BUFSIZ]; /* without a buffer of its own standard output drops its data */
     if (!take_descriptors()) {
         complain("cannot open /dev/null: %s", strerror(errno));
         return EXIT_OUTPUT;
@@ -68,7 +67,7 @@ int main(int argc, char **argv)
         return EXIT_INTERNAL;
     }
     interrupt_end();
-    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a write that fails: as a disk that is full */
+    signal(SIGXFSZ, SIG_IGN); /* the size limit of a file is a failed write, as on a full disk */
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     return program(argc, argv);
 }

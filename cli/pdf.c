@@ -1,4 +1,4 @@
-/* A page printed by a browser that is installed: nothing that is on the page is drawn a second time for paper. */
+/* Prints a page by an installed browser, so that nothing on the page is drawn a second time for paper. */
 #define _GNU_SOURCE /* mkostemps */
 #include "cli/commands.h"
 
@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* What a page may take, s; the browser's virtual time in which its figures are drawn, ms. */
+/* Largest time for a page, s; the browser's virtual time in which its figures are drawn, ms. */
 enum { PATIENCE = 120, DRAWING = 20000, OPTION_MAX = 8192 };
 
 static hawser_status fail(hawser_error *err, const char *what, const char *detail)
@@ -23,7 +23,8 @@ static hawser_status fail(hawser_error *err, const char *what, const char *detai
     return HAWSER_ERR_OUTPUT;
 }
 
-/* A file as a URL, with every byte but the harmless ones as %XX; malloc'ed. NULL: it is not there, or no memory. */
+/* Returns a file as a URL, with every byte but the harmless ones as %XX; malloc'ed. NULL: it does not exist, or no
+ * memory. */
 static char *file_url(const char *path)
 {
     static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
@@ -39,7 +40,7 @@ static char *file_url(const char *path)
     return url;
 }
 
-/* In the child: the browser, silent, in a process group of its own. Tries its names one by one. */
+/* Runs the browser in the child process, silent, in a process group of its own. Tries its names one by one. */
 static void browser_become(const char *url, const char *pdf, const char *profile)
 {
     static const char *const names[] = {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"};
@@ -57,7 +58,7 @@ static void browser_become(const char *url, const char *pdf, const char *profile
                           budget,
                           home,
                           print,
-                          geteuid() == 0 ? "--no-sandbox" : "--disable-sync", /* its sandbox does not work for root */
+                          geteuid() == 0 ? "--no-sandbox" : "--disable-sync", /* the sandbox does not work for root */
                           (char *)(size_t)url,
                           NULL};
     setpgid(0, 0);
@@ -67,8 +68,8 @@ static void browser_become(const char *url, const char *pdf, const char *profile
     _exit(127);
 }
 
-/* Waits for it; a browser that takes too long, or that the user has lost patience with, is ended with all its helpers.
- * Returns its status, -1 if it was ended. */
+/* Waits for the browser; one that takes too long, or is interrupted by the user, is ended with all its helpers. Returns
+ * its status, -1 if it was ended. */
 static int browser_wait(pid_t child)
 {
     const struct timespec nap = {0, 50 * 1000 * 1000};
@@ -84,7 +85,7 @@ static int browser_wait(pid_t child)
     return -1;
 }
 
-/* The browser keeps a profile wherever it is told to; nothing of it is wanted afterwards. */
+/* Removes the profile that the browser has made for this print. */
 static void profile_remove(const char *dir)
 {
     const pid_t child = fork();
@@ -95,7 +96,7 @@ static void profile_remove(const char *dir)
     if (child > 0) waitpid(child, NULL, 0);
 }
 
-/* All of a file into another one that is open; 0 with errno. */
+/* Copies all of a file into another open one; 0 with errno. */
 static int copy(int from, int to)
 {
     char bytes[1 << 15];
@@ -112,7 +113,7 @@ static int copy(int from, int to)
     return ok;
 }
 
-/* What the browser has printed in its own folder gets its name when it is whole, in place of a link too. */
+/* Gives the browser's output its name when it is complete, also in place of a link. */
 static hawser_status printed_name(const char *printed, const char *pdf, hawser_error *err)
 {
     char part[OPTION_MAX];

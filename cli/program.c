@@ -1,4 +1,4 @@
-/* What the first word of the command line asks for. */
+/* Runs the command that the first word of the command line names. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@ static const Command *const commands[] = {&command_run,     &command_check,   &c
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-/* What hawser says about itself: the commands with a line each. */
+/* Prints the usage: the commands with a line each. */
 static void print_usage(FILE *f)
 {
     fprintf(f, "Usage: hawser COMMAND CASE [options]\n\n"
@@ -28,7 +28,7 @@ static void print_usage(FILE *f)
                "  -V, --version  the version\n");
 }
 
-/* NULL if there is none of that name; unlike options, commands cannot be shortened. */
+/* Returns NULL if there is none of that name; unlike options, commands cannot be shortened. */
 static const Command *find_command(const char *name)
 {
     for (int i = 0; i < COMMANDS; i++) {
@@ -37,7 +37,7 @@ static const Command *find_command(const char *name)
     return NULL;
 }
 
-/* A first word that is neither a command nor one of the options that stand alone. */
+/* Reports a first word that is neither a command nor one of the options that stand alone. */
 static int complain_command(const char *name)
 {
     const char *names[COMMANDS + 2] = {[COMMANDS] = "--help", "--version"};
@@ -56,7 +56,7 @@ static int print_help(const char *name)
     return finish_stdout(0);
 }
 
-/* argv[0] is the command's name here, as getopt wants it. */
+/* argv[0] is the command's name here, as getopt requires. */
 static int run_command(const Command *command, int argc, char **argv)
 {
     Arguments args;
@@ -83,7 +83,7 @@ int program(int argc, char **argv)
     return command ? run_command(command, argc - 1, argv + 1) : complain_command(name);
 }
 
-/* The width of lines and the colour of words, which depend on the terminal. */
+/* The width of lines and the colour of words depend on the terminal. */
 
 enum { NARROW = 80, WIDEST = 120 };
 
@@ -94,7 +94,7 @@ int terminal_width(void)
     return size.ws_col < WIDEST ? size.ws_col : WIDEST;
 }
 
-/* Any value of NO_COLOR that is not empty forbids colour (https://no-color.org). */
+/* Checks for colour: any value of NO_COLOR that is not empty forbids it (https://no-color.org). */
 static int has_colour(void)
 {
     const char *const no = getenv("NO_COLOR"), *const terminal = getenv("TERM");
@@ -123,13 +123,12 @@ void print_answer(const char *text)
     }
 }
 
-/* What the program says when something is wrong, and what it returns to the shell then. A wrong name is answered with
- * the nearest right one. */
+/* Error messages of the program, and its exit status then. A wrong name is answered with the nearest right one. */
 
 enum { WORD_MAX = 64 };
 
-/* Whether the three bytes are a mark of UTF-8 that turns or hides what stands beside it, as the library tells them:
- * U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069, U+FEFF. */
+/* Checks whether the three bytes are a mark of UTF-8 that turns or hides neighbouring text, the same ones as in the
+ * library: U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069, U+FEFF. */
 static int turns_text(const unsigned char *c)
 {
     if (c[0] == 0xEF) return c[1] == 0xBB && c[2] == 0xBF;
@@ -149,8 +148,8 @@ static void make_printable(char *text)
     }
 }
 
-/* One line on standard error, named after the program as shells expect it. Words of the command line stand in it: what
- * in them a terminal would obey becomes a question mark, as in the library's messages. */
+/* Prints one line to standard error, with the program's name as in shells. Control characters in words of the command
+ * line become question marks, as in the library's messages. */
 void complain(const char *format, ...)
 {
     char text[HAWSER_MESSAGE_MAX + 256];
@@ -173,7 +172,7 @@ void tell(const char *format, ...)
     printf("%s\n", text);
 }
 
-/* How many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */
+/* Returns how many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */
 static int edit_distance(const char *a, const char *b)
 {
     int row[WORD_MAX + 1];
@@ -193,13 +192,13 @@ static int edit_distance(const char *a, const char *b)
     return row[n];
 }
 
-/* A name is near if at most a third of its letters (and one more) are wrong: "thoery" is, "xyzzy" is not. */
+/* Finds a near name: at most a third of its letters (and one more) are wrong: "thoery" is near, "xyzzy" is not. */
 void complain_unknown(const char *what, const char *given, int n, const char *const *known)
 {
     char word[WORD_MAX];
     const char *best = NULL;
     int least = 0;
-    /* what stands before a '=' */
+    /* the part before a '=' */
     snprintf(word, sizeof word, "%.*s", (int)strcspn(given, "="), given);
     for (int i = 0; i < n; i++) {
         const int distance = edit_distance(word, known[i]);
@@ -210,7 +209,7 @@ void complain_unknown(const char *what, const char *given, int n, const char *co
     if (!near) complain("unknown %s '%s'; try --help", what, given);
 }
 
-/* Statuses of the library were chosen to be exit statuses. */
+/* Returns the library's status, which is an exit status too. */
 int exit_status(hawser_status status, const hawser_error *err)
 {
     if (status == HAWSER_OK) return 0;
@@ -218,7 +217,8 @@ int exit_status(hawser_status status, const hawser_error *err)
     return (int)status;
 }
 
-/* Without this, a report into a full disk would be lost silently: the C library writes it after main. */
+/* Flushes and checks; otherwise a report to a full disk would be lost silently, since the C library writes it after
+ * main. */
 int finish_stdout(int status)
 {
     errno = 0;

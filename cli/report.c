@@ -1,5 +1,5 @@
-/* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
- * the layout here may change. It begins with the answer; what it cost to compute is said on request alone. */
+/* Prints the report. All of it is also in summary.json, stations.csv and rollers.csv, which programs should read: the
+ * layout here may change. It begins with the answer; the cost of the computation is shown on request alone. */
 #include <assert.h>
 #include <ctype.h>
 #include <math.h>
@@ -14,18 +14,18 @@
 
 enum { SENTENCE_MAX = 1024, PAGE = 118 };
 
-/* What is reported, and how. */
+/* Data of the report, and their form. */
 typedef struct Report {
     hawser_summary sum;
     hawser_units units;
     hawser_sim *sim;
-    int all, n_limits; /* all: what else there is, too */
+    int all, n_limits; /* all: further figures, too */
     hawser_limit limit[HAWSER_LIMITS_MAX];
 } Report;
 
 static void say(const Report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* printf in the reader's units: whatever number stands before an SI unit is converted. */
+/* Prints as printf, with numbers before an SI unit converted to the reader's units. */
 static void say(const Report *r, const char *format, ...)
 {
     char si[SENTENCE_MAX], shown[SENTENCE_MAX];
@@ -36,7 +36,7 @@ static void say(const Report *r, const char *format, ...)
     fputs(hawser_show_text(si, r->units, shown, sizeof shown), stdout);
 }
 
-/* A rod's places, as the run ended. */
+/* Prints a rod's places at the end of the run. */
 static void report_rod(const Report *r)
 {
     const hawser_summary *s = &r->sum;
@@ -51,7 +51,7 @@ static void report_rod(const Report *r)
     }
 }
 
-/* Frequencies, one line each. */
+/* Prints frequencies, one line each. */
 static void report_modes(const Report *r)
 {
     const hawser_summary *const s = &r->sum;
@@ -64,7 +64,7 @@ static void report_modes(const Report *r)
     }
 }
 
-/* Loads at which an equilibrium stopped being stable, and how the run ended. */
+/* Prints loads at which an equilibrium became unstable, and the outcome of the run. */
 static void report_stability(const Report *r)
 {
     const hawser_summary *s = &r->sum;
@@ -79,7 +79,7 @@ static void report_stability(const Report *r)
     if (s->unstable == 0) printf("  the last equilibrium is stable\n");
 }
 
-/* Before the run: what it is, and on request the counts of its model. */
+/* Prints, before the run, the case and on request the counts of its model. */
 void report_scene(const hawser_sim *s, const Arguments *args)
 {
     hawser_summary sum;
@@ -90,12 +90,12 @@ void report_scene(const hawser_sim *s, const Arguments *args)
            sum.bushings, sum.rollers, sum.contact_candidates, hawser_sim_end_time(s));
 }
 
-/* Whether the run began at rest. Not having reached it is no error, but the start of the run is then not to be trusted.
- */
+/* Prints whether the run began at rest. Failing to reach it is no error, but the start of the run cannot be trusted
+ * then. */
 static void report_relaxation(const Report *report)
 {
     const hawser_relaxation *const r = &report->sum.relaxation;
-    if (!(r->tolerance_N > 0)) return; /* the case did not want it */
+    if (!(r->tolerance_N > 0)) return; /* the case forbids it */
     if (r->reached) {
         say(report,
             "\nAt rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to %.3g mm\n",
@@ -106,7 +106,7 @@ static void report_relaxation(const Report *report)
     }
 }
 
-/* One theory: its winch force, how far the simulated mean lies from it, and the stations' errors. */
+/* Prints one theory: its winch force, the simulated mean's distance from it, and the stations' errors. */
 static void report_theory(const Report *r, const char *name, double total, double max_pct, double mean_pct)
 {
     char force[HAWSER_SHOWN_MAX];
@@ -117,7 +117,7 @@ static void report_theory(const Report *r, const char *name, double total, doubl
     if (!isnan(max_pct)) printf(" %21.2f %% %7.2f %%\n", max_pct, mean_pct);
 }
 
-/* How even the pull was and what theory says of it; the pull itself is in the answer. */
+/* Prints how even the pull was, and theory's value of it; the pull itself is in the answer. */
 static void report_pull(const Report *r)
 {
     const hawser_summary *s = &r->sum;
@@ -130,11 +130,11 @@ static void report_pull(const Report *r)
         printf("not settled when the run ended\n");
     printf("  %-18s %14s %14s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
     report_theory(r, "reference theory", s->reference_total_N, s->error_max_pct, s->error_mean_pct);
-    if (r->all) /* they know no level bends */
+    if (r->all) /* the formulas have no level bends */
         report_theory(r, "piece formulas", s->paper_total_N, s->error_max_paper_pct, s->error_mean_paper_pct);
 }
 
-/* What machines did, one line each, under the heading of their kind. */
+/* Prints the figures of machines, one line each, under the heading of their kind. */
 static void report_machines(const Report *r)
 {
     char figure[2 * HAWSER_SHOWN_MAX];
@@ -150,7 +150,7 @@ static void report_machines(const Report *r)
     }
 }
 
-/* What the one cable that was computed stands for: its terms, then a line a duct. */
+/* Prints the bundle of the equivalent cable: its terms, then a line for each duct. */
 static void report_bundle(const Report *r)
 {
     const hawser_bundle *const b = r->sum.bundle;
@@ -169,7 +169,7 @@ static void report_bundle(const Report *r)
     }
 }
 
-/* Trips and what followed. */
+/* Prints trips and their consequences. */
 static void report_events(const Report *r)
 {
     for (int i = 0; i < r->sum.n_events; i++) {
@@ -178,7 +178,7 @@ static void report_events(const Report *r)
     }
 }
 
-/* The most heavily loaded roller. */
+/* Prints the most heavily loaded roller. */
 static void report_rollers(const Report *report)
 {
     char load[HAWSER_SHOWN_MAX];
@@ -195,7 +195,7 @@ static void report_rollers(const Report *report)
     printf("\n");
 }
 
-/* What it cost, in the integrator's own counts. */
+/* Prints the cost, in the integrator's own counts. */
 static void report_work(const Report *r)
 {
     const hawser_summary *const s = &r->sum;
@@ -214,7 +214,7 @@ static void report_work(const Report *r)
     printf("  solved in %s (%s); integration by %s\n", s->planar ? "the plane" : "space", s->planar_why, s->method);
 }
 
-/* Whether energy and momentum add up. */
+/* Prints the balances of energy and momentum. */
 static void report_balance(const Report *r)
 {
     const hawser_balance *const b = r->sum.balance;
@@ -226,7 +226,7 @@ static void report_balance(const Report *r)
         100 * b->numerical_share);
 }
 
-/* Where the time went, so that a slow case shows its reason. */
+/* Prints wall time by phase, so that a slow case shows its reason. */
 static void report_phases(const Report *r)
 {
     const hawser_summary *const s = &r->sum;
@@ -244,7 +244,7 @@ static void report_phases(const Report *r)
     }
 }
 
-/* The limits one by one; where a limit comes from stands below it if the line has no room for it. */
+/* Prints the limits one by one; the source of a limit stands below it if the line is too short for it. */
 static void report_limits(const Report *r)
 {
     const int n = r->n_limits;
@@ -266,10 +266,10 @@ static void report_limits(const Report *r)
 
 static void report_known(const Report *r) { report_assumptions(r->sim, r->units); }
 
-/* Below the answer, in the order in which a planner asks. */
+/* Below the answer, in the order of a planner's questions. */
 static const struct Part {
     const char *name; /* NULL: it is always printed */
-    int rod;          /* 1: of rods alone, 0: of pulls alone, -1: of both */
+    int rod;          /* 1: for rods alone, 0: for pulls alone, -1: for both */
     void (*print)(const Report *r);
 } parts[] = {{NULL, 1, report_rod},        {NULL, 1, report_stability},       {NULL, 1, report_modes},
              {NULL, 0, report_pull},       {NULL, -1, report_events},         {NULL, -1, report_rollers},
@@ -279,7 +279,7 @@ static const struct Part {
 
 enum { PARTS = sizeof parts / sizeof *parts };
 
-/* Whether a list of names with commas between has that name. */
+/* Checks whether a list of names with commas between has that name. */
 static int is_listed(const char *list, const char *name)
 {
     for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
@@ -319,7 +319,7 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir)
     tell("Results: %s", dir);
 }
 
-/* hawser report: results as one page. The page's program is in the library; here are the words around it. */
+/* hawser report: results as one page. The page's program is in the library; the frame is here. */
 
 static const char help[] =
     "Usage: hawser report RESULTS [RESULTS2 ...] [options]\n"
@@ -344,7 +344,7 @@ static int ends_in(const char *name, const char *ending)
     return n > e && strcmp(name + n - e, ending) == 0;
 }
 
-/* "DIR/report" and `ending` of "DIR/report.html", "DIR/report.pdf" or "DIR/report"; malloc'ed. */
+/* Returns "DIR/report" and `ending` for "DIR/report.html", "DIR/report.pdf" or "DIR/report"; malloc'ed. */
 static char *name_ending(const char *name, const char *ending)
 {
     const size_t end = strlen(name) - (ends_in(name, ".html") ? 5 : ends_in(name, ".pdf") ? 4 : 0);
@@ -360,7 +360,7 @@ static int study_is_in(const char *folder)
     return access(path, F_OK) == 0;
 }
 
-/* What a page is of. */
+/* Folders of a page. */
 typedef struct Folders {
     const char *const *folder; /* [n] */
     size_t n;
@@ -386,7 +386,7 @@ hawser_status page_make(const char *const *folders, size_t n, const char *path, 
     return page_make_of(folders_write, &what, path, pdf, quiet, err);
 }
 
-/* A browser prints only what is named as a page, and never over the page. */
+/* Prints by a browser only files that are named as a page, and never over the page. */
 hawser_status page_make_of(PageWrite write, void *what, const char *path, int pdf, int quiet, hawser_error *err)
 {
     if (!pdf && !ends_in(path, ".pdf")) return page_write(write, what, path, quiet, err);
@@ -394,7 +394,7 @@ hawser_status page_make_of(PageWrite write, void *what, const char *path, int pd
     hawser_status status = page && printed ? HAWSER_OK : HAWSER_ERR_MEMORY;
     if (status) *err = (hawser_error){HAWSER_ERR_MEMORY, "out of memory"};
     if (!status) status = page_write(write, what, page, quiet, err);
-    interrupt_watch(); /* the browser does not outlive us */
+    interrupt_watch(); /* the browser ends with this program */
     fflush(stdout);
     if (!status) status = pdf_print(page, printed, err);
     if (!status && !quiet) tell("Printed: %s", printed);

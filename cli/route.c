@@ -1,4 +1,4 @@
-/* hawser route: which lines a drawing, a model, a table or a map holds, and one of them as a file. */
+/* hawser route: the lines of a drawing, a model, a table or a map, and one of them as a file. */
 #include "cli/commands.h"
 
 #include <stdio.h>

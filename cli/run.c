@@ -1,5 +1,5 @@
-/* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
- * end on Ctrl-C, a report, an exit status. */
+/* hawser run, the main command. It calls the library's run and adds the parts of a terminal program: progress, an
+ * orderly end on Ctrl-C, a report, an exit status. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,7 +55,7 @@ static const char help[] =
     "not be written; 5 no memory; 130\n"
     "interrupted (SIGINT, SIGTERM, SIGHUP). With 3 and 130, what was computed until then is in DIR.\n";
 
-/* Called by the library a few times a second: the place where a signal is noticed. */
+/* Called by the library a few times a second; checks for signals. */
 static int show_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     progress_show(user, sample, wall_s, end_s);
@@ -73,7 +73,7 @@ char *default_dir(const char *case_path)
     return dir;
 }
 
-/* Settings are applied in the order given, so that a later one wins. */
+/* Applies settings in the given order, so that a later one wins. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err)
 {
     hawser_status status = hawser_case_load(args->case_path, out, err);
@@ -84,14 +84,14 @@ hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *
     return status;
 }
 
-/* Once the simulation is built, the case is only needed for a certificate. */
+/* Builds the simulation, after which the case is only needed for a certificate. */
 static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_sim **out, hawser_error *err)
 {
     const hawser_options options = {.threads = args->threads, .pin = 1};
     hawser_status status = args->resume ? hawser_case_resume(args->resume, c, err) : load_case(args, c, err);
     if (!status) status = hawser_sim_new(*c, &options, out, err);
     if (!status && hawser_sim_chains(*out) > 1 && (args->certify || args->sensitive)) {
-        /* both refuse them, with the line that has them: before the run, not after it */
+        /* both reject them, with their line: before the run, not after it */
         hawser_certificate *none;
         char *text;
         status = args->certify ? hawser_certify(*c, *out, NULL, &none, err)
@@ -102,7 +102,8 @@ static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_si
     return status;
 }
 
-/* --strict: the exit status of the limits, and a word on standard error, where a script with --quiet finds it. */
+/* Returns the exit status of the limits with --strict, and prints a line to standard error, for scripts with --quiet.
+ */
 static int strict_verdict(hawser_sim *sim)
 {
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -116,8 +117,8 @@ static int strict_verdict(hawser_sim *sim)
     return found == -2 ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
 }
 
-/* The page about what there is of the run. What ended the run weighs more than a page that could not be written, of
- * which standard error says why then. */
+/* Writes the page about the results so far. The error that ended the run takes precedence over a failed page, which is
+ * reported on standard error then. */
 static void report_page(const Arguments *args, const char *dir, hawser_status *status, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
@@ -137,7 +138,8 @@ static int sensitivities_stop(void *user)
     return interrupt_wanted();
 }
 
-/* The run once more with the derivatives of its figures: prints them, and writes them as sensitivities.json. */
+/* Computes the run once more with the derivatives of its figures: prints them, and writes them as sensitivities.json.
+ */
 static hawser_status sensitivities(hawser_case *c, const Arguments *args, const char *dir, hawser_error *err)
 {
     enum { KEYS_MAX = 64 };
@@ -164,7 +166,7 @@ static hawser_status sensitivities(hawser_case *c, const Arguments *args, const 
     return status;
 }
 
-/* What summary.json holds, for a program that reads standard output. */
+/* Prints the content of summary.json, for a program that reads standard output. */
 static hawser_status print_summary(hawser_sim *sim, hawser_error *err)
 {
     char *text = NULL;
@@ -174,8 +176,8 @@ static hawser_status print_summary(hawser_sim *sim, hawser_error *err)
     return status;
 }
 
-/* What there is to say about a run that is over, whatever its end. What is not safe or not to be trusted weighs more
- * than a certificate that is missing. */
+/* Reports a run that has ended, in any way. A verdict that is not safe or not trusted takes precedence over a missing
+ * certificate. */
 static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
                     hawser_error *err)
 {
@@ -196,7 +198,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
     return finish_stdout(status ? exit_status(status, err) : result);
 }
 
-/* Nothing is written before the simulation is built: a wrong case leaves earlier results alone. */
+/* Writes nothing before the simulation is built: a wrong case leaves earlier results unchanged. */
 static int run_into(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -246,7 +248,7 @@ const Command command_run = {"run", "simulates a pull and writes the results", "
 
 enum { LINE_MAX = 256, HELD_INTERVAL = 60 };
 
-/* A terminal that cannot go back to its line's start ("dumb", as in editors) gets plain lines too. */
+/* Prints plain lines, too, to a terminal that cannot return to its line's start ("dumb", as in editors). */
 void progress_start(Progress *p, int quiet)
 {
     const char *term = getenv("TERM");
@@ -256,7 +258,7 @@ void progress_start(Progress *p, int quiet)
     p->tenths = -1;
 }
 
-/* Simulated seconds a second: of the last stretch, smoothed over the ones before it. */
+/* Updates simulated seconds per second: those of the last stretch, smoothed over the ones before it. */
 static void update_speed(Progress *p, double t, double wall)
 {
     const double dt = t - p->last_t, dw = wall - p->last_wall;
@@ -265,7 +267,7 @@ static void update_speed(Progress *p, double t, double wall)
     p->last_wall = wall;
 }
 
-/* Seconds as people say them. */
+/* Writes a duration for readers. */
 static void say_duration(char *text, size_t size, double s)
 {
     if (s < 100) {
@@ -277,7 +279,7 @@ static void say_duration(char *text, size_t size, double s)
     }
 }
 
-/* Time, share, speed, step and what is left; the last is only as good as the speed is even. */
+/* Writes time, share, speed, step and remaining time; the last is only as good as the speed is even. */
 static void say_line(const Progress *p, const hawser_sample *sample, double end, char *line)
 {
     static const char *const pass[] = {"", "second pass, finer: ", "third pass, finer: "};
@@ -288,7 +290,7 @@ static void say_line(const Progress *p, const hawser_sample *sample, double end,
              pass[p->pass > 2 ? 2 : p->pass > 1], sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
 }
 
-/* Cut to the terminal's width, so that it stays one line. */
+/* Cuts to the terminal's width, so that it stays one line. */
 static void draw_line(Progress *p, char *line)
 {
     struct winsize size;
@@ -300,7 +302,7 @@ static void draw_line(Progress *p, char *line)
     p->drawn = 1;
 }
 
-/* Each pass has its own clock. */
+/* Starts a clock for each pass. */
 static void pass_begin(Progress *p, int pass)
 {
     p->pass = pass;
@@ -308,14 +310,14 @@ static void pass_begin(Progress *p, int pass)
     p->speed = p->last_t = p->last_wall = p->next_held = 0;
 }
 
-/* The report that follows starts on a clean line. */
+/* Ends the line, so that the report starts on a new one. */
 void progress_end(Progress *p)
 {
     if (p->drawn) fputs("\r\033[K", stderr);
     p->drawn = 0;
 }
 
-/* Once a minute, on a line of its own. */
+/* Prints once a minute, on a line of its own. */
 static void say_held_up(Progress *p, const char *why, double wall)
 {
     if (!why || wall < p->next_held) return;
@@ -324,7 +326,7 @@ static void say_held_up(Progress *p, const char *why, double wall)
     p->next_held = wall + HELD_INTERVAL;
 }
 
-/* Live: at every call. Else: when another tenth of the run is done, so that a log stays short. */
+/* Live: at every call. Otherwise: when another tenth of the run is done, so that a log stays short. */
 void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s)
 {
     char line[LINE_MAX];
@@ -375,19 +377,19 @@ void progress_study(Progress *p, const hawser_study_state *state)
     p->tenths = tenths;
 }
 
-/* What a run was computed with that its case did not say, in a few lines: `hawser check` has the list. */
+/* Prints the assumptions of a run in a few lines: `hawser check` has the list. */
 
-/* Whether a dotted key ends in this name. */
+/* Checks whether a dotted key ends in this name. */
 static int is_key(const char *key, const char *name)
 {
     const char *const dot = strrchr(key, '.');
     return dot && strcmp(dot + 1, name) == 0;
 }
 
-/* Of what is not in the route. */
+/* Largest number of printed parts that are not in the route. */
 enum { SAID_MOST = 3 };
 
-/* Of the estimates only EI changes a run, so that it is said what it is worth. */
+/* Prints the accuracy of EI, the only estimate that changes a run. */
 void report_assumptions(const hawser_sim *s, hawser_units units)
 {
     const hawser_assumption *list;
@@ -414,7 +416,7 @@ void report_assumptions(const hawser_sim *s, hawser_units units)
     }
 }
 
-/* `hawser run --certify`: what the user sees while the case is computed again with finer settings, and its table. */
+/* `hawser run --certify`: progress while the case is computed again with finer settings, and its table. */
 
 typedef struct Watch {
     Progress *progress;

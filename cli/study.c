@@ -1,4 +1,4 @@
-/* hawser study: many samples of a case, and what they say together. */
+/* hawser study: many samples of a case, and their statistics. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,7 +39,7 @@ static int show_progress(void *user, const hawser_study_state *state)
     return interrupt_wanted();
 }
 
-/* This program's file, which a cluster's tasks start; NULL where the system does not say. */
+/* Returns this program's file, which a cluster's tasks start; NULL where the system does not give it. */
 static const char *own_path(void)
 {
     static char path[4096];
@@ -47,7 +47,7 @@ static const char *own_path(void)
     return n > 0 ? path : NULL;
 }
 
-/* Of several ranks the first talks. */
+/* Runs the study; of several ranks only the first prints. */
 static int run_study(const Arguments *args, hawser_study *s, const char *dir, const hawser_ranks *ranks,
                      hawser_error *err)
 {
@@ -76,7 +76,7 @@ static int run_study(const Arguments *args, hawser_study *s, const char *dir, co
     return finish_stdout(exit_status(status, err));
 }
 
-/* Nothing is written before the study is read. */
+/* Writes nothing before the study is read. */
 static int study(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -102,7 +102,7 @@ static int study(const Arguments *args)
 const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
                                "oufqKNmcky", help, study};
 
-/* hawser job: many pulls calculated by theory in one go. */
+/* hawser job: many pulls calculated by theory together. */
 
 static const char job_help[] =
     "Usage: hawser job JOB [options]\n"
@@ -127,7 +127,7 @@ static const char job_help[] =
     "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written; 5 no memory; with --strict\n"
     "1 a pull is not SAFE, 6 one is NOT TRUSTED and none is worse.\n";
 
-/* The job whose page is written. */
+/* Writes a page of a job. */
 typedef struct Sheet {
     hawser_status (*write)(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
     const hawser_job *job;

@@ -20,21 +20,21 @@
 
 /* A file that the case refers to. */
 typedef struct ResourceFile {
-    char *path; /* owned; where it is */
-    char *name; /* owned; among the resources */
+    char *path; /* owned; its path */
+    char *name; /* owned; its name among the resources */
 } ResourceFile;
 
 enum { RESOURCE_FILES_MAX = 3 };
 
 typedef struct Resources {
-    Text text; /* of the case: nothing is left of catalogue and included files but what they have brought */
+    Text text; /* text of the case: only the used values remain of catalogue and included files */
     int n;
     ResourceFile file[RESOURCE_FILES_MAX];
 } Resources;
 
-/* modelDescription.xml. The two versions say the same in different elements. */
+/* modelDescription.xml. The two versions have the same content in different elements. */
 
-/* name="value", with what may not stand there escaped. */
+/* Writes name="value", with forbidden characters escaped. */
 static void attribute(Text *t, const char *name, const char *value)
 {
     text_print(t, " %s=\"", name);
@@ -66,7 +66,7 @@ static void head_write(const Model *m, hawser_fmi version, const char *title, co
     text_add(t, "/>\n");
 }
 
-/* Those that a variable has. */
+/* Writes the units that a variable uses. */
 static void units_write(const Model *m, Text *t)
 {
     text_add(t, "  <UnitDefinitions>\n");
@@ -119,7 +119,7 @@ static const char *variability(const Variable *row)
     return row->type == VARIABLE_REAL ? "continuous" : "discrete";
 }
 
-/* What both versions say of a variable as such. */
+/* Writes the part of a variable that both versions share. */
 static void common_write(const Variable *row, int reference, Text *t)
 {
     const int parameter = row->role == ROLE_PARAMETER || row->role == ROLE_TUNABLE;
@@ -131,7 +131,7 @@ static void common_write(const Variable *row, int reference, Text *t)
     if (parameter || row->role == ROLE_OUTPUT) attribute(t, "initial", parameter ? "exact" : "calculated");
 }
 
-/* And of its values. */
+/* Writes the part of its values. */
 static void values_write(const Variable *row, Text *t)
 {
     const int has_start = row->role != ROLE_OUTPUT && row->role != ROLE_TIME;
@@ -168,9 +168,9 @@ static void variables_write(const Model *m, hawser_fmi version, Text *t)
     text_add(t, "  </ModelVariables>\n");
 }
 
-/* Outputs depend on no input of the same time, for inputs act from the next step on: importers find no algebraic loop.
- * All outputs are unknown at first; what they depend on then is not said, so it may be anything. Version 2.0 counts the
- * variables from 1. */
+/* Writes the structure. Outputs depend on no input of the same time, for inputs act from the next step on: importers
+ * find no algebraic loop. All outputs are unknown at first; their dependencies then are not given, so they may be any.
+ * Version 2.0 counts the variables from 1. */
 static void structure_write(const Model *m, hawser_fmi version, Text *t)
 {
     static const char *const lists2[] = {"Outputs", "InitialUnknowns"}, *const items3[] = {"Output", "InitialUnknown"};
@@ -189,7 +189,8 @@ static void structure_write(const Model *m, hawser_fmi version, Text *t)
     text_add(t, "  </ModelStructure>\n</fmiModelDescription>\n");
 }
 
-/* modelDescription.xml of a version. identifier: the name of the library without its ending, a name of C's. */
+/* Writes modelDescription.xml of a version. identifier: the name of the library without its ending, an identifier of C.
+ */
 static void description_write(const Model *m, hawser_fmi version, const char *title, const char *identifier, Text *out)
 {
     head_write(m, version, title, identifier, out);
@@ -202,7 +203,8 @@ static void description_write(const Model *m, hawser_fmi version, const char *ti
     structure_write(m, version, out);
 }
 
-/* documentation/index.html, which importers show: what is simulated, how to step it, and every variable in words. */
+/* documentation/index.html, which importers show: the simulated case, how to step it, and a description of every
+ * variable. */
 
 static void cell(Text *t, const char *text)
 {
@@ -211,7 +213,7 @@ static void cell(Text *t, const char *text)
     text_add(t, "</td>");
 }
 
-/* All variables of the roles between two, as one table. */
+/* Writes all variables of the roles between two, as one table. */
 static void table_write(const Model *m, const char *heading, VariableRole first, VariableRole last, Text *t)
 {
     int n = 0;
@@ -237,7 +239,7 @@ static void table_write(const Model *m, const char *heading, VariableRole first,
     if (n > 0) text_add(t, "</table>\n");
 }
 
-/* documentation/index.html: what the unit is, its variables as tables. */
+/* Writes documentation/index.html: the unit, and its variables as tables. */
 static void documentation_write(const Model *m, hawser_fmi version, const char *title, Text *t)
 {
     text_add(t, "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>");
@@ -287,7 +289,7 @@ static void scalar_write(const char *text, Text *out)
     text_add(out, "\"");
 }
 
-/* What the case no longer needs: its catalogue and the files with catalogues of the user's. */
+/* Checks for parts that the case no longer needs: its catalogue and the user's files with catalogues. */
 static int is_spent(const CaseNode *child)
 {
     if (!child->key) return 0;
@@ -295,7 +297,8 @@ static int is_spent(const CaseNode *child)
     return strcmp(child->key, "type") == 0 && child->kind == NODE_TEXT;
 }
 
-/* A node with all below it as YAML, each text as it was: in quotes where it could be taken for something else. */
+/* Writes a node with all below it as YAML, each text unchanged: in quotes where it could be taken for something else.
+ */
 static void yaml_write(const CaseNode *node, int depth, Text *out)
 {
     if (node->kind == NODE_TEXT || !node->first) {
@@ -314,13 +317,13 @@ static void yaml_write(const CaseNode *node, int depth, Text *out)
     }
 }
 
-/* The case with everything that it refers to: the catalogue's entries take their places in it, files lie beside it. */
+/* The case with all parts that it refers to: the catalogue's entries are put into it, files lie beside it. */
 
-/* Where a case names files to read: docs/case-format.md. */
+/* Keys of a case with files to read: docs/case-format.md. */
 static const char *const file_keys[RESOURCE_FILES_MAX][3] = {
     {"route", "file", NULL}, {"route", "profile", "file"}, {"drawing", "file", NULL}};
 
-/* The file of a node goes along under a name of its own, and the node names that. */
+/* Adds the file of a node to the resources under a name of its own, and puts that name into the node. */
 static hawser_status file_take(const CaseTree *tree, CaseNode *node, Resources *out, hawser_error *err)
 {
     const char *const slash = strrchr(node->text, '/'), *const base = slash ? slash + 1 : node->text;
@@ -352,7 +355,8 @@ static hawser_status files_take(const CaseTree *tree, const CaseNode *root, Reso
     return status;
 }
 
-/* Errors: INPUT (a name of the catalogue or an included file is wrong), MEMORY. resources_clear must follow. */
+/* Makes the resources. Errors: INPUT (a name of the catalogue or an included file is wrong), MEMORY. resources_clear
+ * must follow. */
 static hawser_status resources_make(const CaseTree *tree, Resources *out, hawser_error *err)
 {
     CaseNode *root = NULL;
@@ -378,15 +382,15 @@ static void resources_clear(Resources *r)
     *r = (Resources){.n = 0};
 }
 
-/* An FMU as a file: a zip archive with the description, the library and the resources. The resources are laid out in a
- * folder first and the case is read from there, so that what is packed is known to serve. */
+/* An FMU as a file: a zip archive with the description, the library and the resources. The resources are written to a
+ * folder first and the case is read from there, so that the packed files are known to work. */
 
 enum { PATH_ROOM = 4096, IDENTIFIER_ROOM = 64 };
 
-/* What libzip and its random numbers may take, bytes: they do not survive an allocation that fails. */
+/* Memory of libzip and its random numbers, bytes: they do not survive a failed allocation. */
 enum { ZIP_ROOM = 4 << 20, ZLIB_NO_MEMORY = -4 };
 
-/* -------------------------------------------------------------------------------------------------- a folder for it */
+/* -------------------------------------------------------------------------------------------------- its folder */
 
 static hawser_status file_write(const char *path, const char *bytes, size_t size, hawser_error *err)
 {
@@ -407,14 +411,14 @@ static hawser_status file_copy(const char *from, const char *to, hawser_error *e
     return status;
 }
 
-/* A name below a folder; both are short enough for the room. */
+/* Writes a name below a folder; both are short enough. */
 static const char *path_below(const char *folder, const char *name, char path[PATH_ROOM])
 {
     snprintf(path, PATH_ROOM, "%.2040s/%.2040s", folder, name);
     return path;
 }
 
-/* Case and files below `folder`, which has room for names behind it. */
+/* Writes case and files below `folder`, which has space for names behind it. */
 static hawser_status resources_lay_out(const Resources *r, const char *folder, hawser_error *err)
 {
     char path[PATH_ROOM];
@@ -435,25 +439,25 @@ static void folder_remove(const Resources *r, const char *folder)
 
 /* ------------------------------------------------------------------------------------------------------ the archive */
 
-/* What goes in; the bytes or files stay until the archive is closed. */
+/* Content of the archive; the bytes or files stay until it is closed. */
 typedef struct Packing {
     zip_t *zip;
     hawser_error *err;
     hawser_status status;
 } Packing;
 
-/* Why something could not be packed. */
+/* Reports why a part could not be packed. */
 static hawser_status zip_fault(zip_error_t *why, const char *what, const char *name, hawser_error *err)
 {
-    const int code = zip_error_code_zip(why); /* none is known of what was never made */
+    const int code = zip_error_code_zip(why); /* an archive that was never made has no code */
     const int kind = zip_error_system_type(why), below = zip_error_code_system(why);
     const int lacks = (kind == ZIP_ET_SYS && below == ENOMEM) || (kind == ZIP_ET_ZLIB && below == ZLIB_NO_MEMORY);
     if (lacks || code == ZIP_ER_MEMORY || code == ZIP_ER_OK) return error_memory(err);
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.600s': %s", what, name, zip_error_strerror(why));
 }
 
-/* A source under a name; two archives of the same case are the same, so that all have the same date. libzip packs as
- * small as it can where nobody says how: a sixth of the time makes them 7 % larger. */
+/* Adds a source under a name; all have the same date, so that two archives of the same case are equal. libzip
+ * compresses as far as possible by default: a sixth of the time makes them 7 % larger. */
 static void source_add(Packing *p, const char *name, zip_source_t *source)
 {
     static const time_t date = 631152000; /* 1990-01-01 */
@@ -481,7 +485,7 @@ static void file_pack(Packing *p, const char *name, const char *path)
     source_add(p, name, zip_source_file(p->zip, path, 0, -1));
 }
 
-/* All parts of an archive whose model has been made of the resources in `folder`. */
+/* Packs all parts of an archive whose model has been made from the resources in `folder`. */
 static hawser_status parts_pack(const char *path, hawser_fmi version, const char *identifier, const char *library,
                                 const Resources *r, const char *folder, const Text *description, const Text *page,
                                 hawser_error *err)
@@ -516,7 +520,7 @@ static hawser_status parts_pack(const char *path, hawser_fmi version, const char
 
 /* ------------------------------------------------------------------------------------------------------ the request */
 
-/* "cases/3 ducts.yaml" -> "case_3_ducts": a name of C's. */
+/* Makes an identifier of C: "cases/3 ducts.yaml" -> "case_3_ducts". */
 static void identifier_make(const char *case_name, char identifier[IDENTIFIER_ROOM])
 {
     const char *const slash = strrchr(case_name, '/'), *const base = slash ? slash + 1 : case_name;
@@ -528,7 +532,7 @@ static void identifier_make(const char *case_name, char identifier[IDENTIFIER_RO
     }
 }
 
-/* With the resources laid out in a folder. */
+/* Writes the archive, with the resources in a folder. */
 static hawser_status archive_write(const hawser_case *c, const Resources *r, const char *folder, hawser_fmi version,
                                    const char *path, hawser_error *err)
 {
@@ -564,7 +568,7 @@ hawser_status hawser_fmu_write(hawser_case *c, hawser_fmi version, const char *p
     if (!path || !*path) return error_argument(err, "path");
     if (version != HAWSER_FMI_2 && version != HAWSER_FMI_3)
         return error_set(err, HAWSER_ERR_INPUT, "version %d of FMI: 2 or 3 can be written", (int)version);
-    hawser_status status = case_ensure_read(c, err); /* mistakes are found where the user made them */
+    hawser_status status = case_ensure_read(c, err); /* reports errors with the user's own files */
     if (!status) status = file_marks_spare(&c->def->files, path, err);
     if (!status) status = resources_make(c->tree, &r, err);
     snprintf(folder, sizeof folder, "%.2000s/hawser-XXXXXX", temporary && *temporary ? temporary : "/tmp");

@@ -1,4 +1,4 @@
-/* Version 2.0 of the interface: each call checks what the standard asks of it and passes it on to the unit. */
+/* Version 2.0 of the interface: each call checks the standard's requirements and passes on to the unit. */
 #include "fmi/fmi2.h"
 
 #include <stdio.h>
@@ -7,16 +7,16 @@
 
 #include "fmi/unit.h"
 
-/* What an importer holds. */
+/* Instance in an importer. */
 typedef struct Instance2 {
-    Unit *unit; /* first, as of every Instance */
+    Unit *unit; /* first, as in every Instance */
     fmi2CallbackFunctions calls;
     char *name;
-    fmi2Status last; /* of the last step */
+    fmi2Status last; /* status of the last step */
     int over;
 } Instance2;
 
-/* The importer's logger takes a format, so what is said goes behind one. */
+/* Passes text as an argument of a format: the importer's logger takes a format. */
 static void say2(void *host, Outcome outcome, const char *category, const char *text)
 {
     const Instance2 *const c = host;
@@ -66,7 +66,7 @@ void fmi2FreeInstance(fmi2Component component)
     free(c);
 }
 
-/* The case's own accuracy is a parameter; a tolerance of the importer's is not looked at. */
+/* Ignores the importer's tolerance: the case's own accuracy is a parameter. */
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
                                fmi2Boolean has_stop, fmi2Real stop)
 {
@@ -167,7 +167,7 @@ fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t
     return set2(c, vr, n, VARIABLE_BOOLEAN, value, "fmi2SetBoolean");
 }
 
-/* Texts are outputs all. */
+/* Rejects all texts: they are outputs. */
 fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2String value[])
 {
     Unit *const u = unit_in(c, PHASES_EARLY | PHASE_STEPPING, "fmi2SetString");
@@ -189,7 +189,7 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real now, fmi2Real step, fmi2
     return c->last;
 }
 
-/* A step is over when its call returns. */
+/* Always fails: a step is over when its call returns. */
 fmi2Status fmi2CancelStep(fmi2Component c)
 {
     Unit *const u = c ? ((Instance2 *)c)->unit : NULL;
@@ -252,7 +252,7 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte from[], size_
     return (fmi2Status)state_of_bytes(c, from, size, state, "fmi2DeSerializeFMUstate");
 }
 
-/* ---------------------------------------------------------------------------------- what the description denies */
+/* ---------------------------------------------------------------------------------- excluded by the description */
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 

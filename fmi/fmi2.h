@@ -1,5 +1,5 @@
-/* What an FMU shows to the outside by version 2.0 of the Functional Mock-up Interface, as far as co-simulation needs
- * it: types, values and prototypes as the standard lays them down (FMI 2.0.4, chapters 2 and 4). */
+/* The external interface of an FMU by version 2.0 of the Functional Mock-up Interface, as far as co-simulation needs
+ * it: types, values and prototypes of the standard (FMI 2.0.4, chapters 2 and 4). */
 #ifndef HAWSER_FMI_STANDARD_FMI2_H
 #define HAWSER_FMI_STANDARD_FMI2_H
 
@@ -27,7 +27,7 @@ typedef enum fmi2StatusKind {
     fmi2Terminated
 } fmi2StatusKind;
 
-/* `message` is a format of printf's, with what it asks for behind it. */
+/* `message` is a format of printf, followed by its arguments. */
 typedef void (*fmi2CallbackLogger)(fmi2ComponentEnvironment, fmi2String instanceName, fmi2Status, fmi2String category,
                                    fmi2String message, ...);
 typedef struct fmi2CallbackFunctions {
@@ -38,7 +38,7 @@ typedef struct fmi2CallbackFunctions {
     fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
 
-/* An FMU's library shows these and nothing else. */
+/* An FMU's library exports these and nothing else. */
 #define FMI2_FUNCTION __attribute__((visibility("default")))
 
 FMI2_FUNCTION const char *fmi2GetTypesPlatform(void);

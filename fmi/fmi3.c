@@ -1,4 +1,4 @@
-/* Version 3.0 of the interface: each call checks what the standard asks of it and passes it on to the unit. */
+/* Version 3.0 of the interface: each call checks the standard's requirements and passes on to the unit. */
 #include "fmi/fmi3.h"
 
 #include <stdlib.h>
@@ -6,9 +6,9 @@
 
 #include "fmi/unit.h"
 
-/* What an importer holds. */
+/* Instance in an importer. */
 typedef struct Instance3 {
-    Unit *unit; /* first, as of every Instance */
+    Unit *unit; /* first, as in every Instance */
     fmi3LogMessageCallback log;
     fmi3InstanceEnvironment environment;
 } Instance3;
@@ -30,7 +30,7 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t n, const f
     return fmi3OK;
 }
 
-/* Events, early returns and intermediate values are denied by the description: whoever asks for them gets nothing. */
+/* Rejects events, early returns and intermediate values, which the description excludes. */
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
                                          fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean early_return,
                                          const fmi3ValueReference intermediate[], size_t n_intermediate,
@@ -83,7 +83,7 @@ void fmi3FreeInstance(fmi3Instance instance)
     free(c);
 }
 
-/* The case's own accuracy is a parameter; a tolerance of the importer's is not looked at. */
+/* Ignores the importer's tolerance: the case's own accuracy is a parameter. */
 fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance,
                                        fmi3Float64 start, fmi3Boolean has_stop, fmi3Float64 stop)
 {
@@ -129,7 +129,7 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 now, fmi3Float64 step, fmi3Boo
 
 /* ------------------------------------------------------------------------------------------------------- values */
 
-/* All variables are scalars: as many values as references. */
+/* Checks that there are as many values as references: all variables are scalars. */
 static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const void *value,
                              size_t n_values, unsigned phases, const char *call)
 {
@@ -139,7 +139,7 @@ static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size
     return NULL;
 }
 
-/* The types that variables have, and what stands between C's and the unit's. */
+/* The types of the variables, with the conversions between C's values and the unit's. */
 #define GET_AND_SET(NAME, TYPE, OF_VALUE, TO_VALUE)                                                                    \
     fmi3Status fmi3Get##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[],              \
                              size_t n_values)                                                                          \

@@ -1,6 +1,6 @@
-/* What an FMU shows to the outside by version 3.0 of the Functional Mock-up Interface: types, values and prototypes as
- * the standard lays them down (FMI 3.0.1, chapters 2 to 5). Importers look up every function when they load a library,
- * so those of kinds that the description does not offer are there too. */
+/* The external interface of an FMU by version 3.0 of the Functional Mock-up Interface: types, values and prototypes of
+ * the standard (FMI 3.0.1, chapters 2 to 5). Importers look up every function when they load a library, so those of
+ * kinds that the description excludes exist too. */
 #ifndef HAWSER_FMI_STANDARD_FMI3_H
 #define HAWSER_FMI_STANDARD_FMI3_H
 
@@ -53,7 +53,7 @@ typedef void (*fmi3ClockUpdateCallback)(fmi3InstanceEnvironment);
 typedef void (*fmi3LockPreemptionCallback)(void);
 typedef void (*fmi3UnlockPreemptionCallback)(void);
 
-/* An FMU's library shows these and nothing else. */
+/* An FMU's library exports these and nothing else. */
 #define FMI3_FUNCTION __attribute__((visibility("default")))
 
 FMI3_FUNCTION const char *fmi3GetVersion(void);
@@ -81,7 +81,7 @@ FMI3_FUNCTION fmi3Status fmi3EnterEventMode(fmi3Instance);
 FMI3_FUNCTION fmi3Status fmi3Terminate(fmi3Instance);
 FMI3_FUNCTION fmi3Status fmi3Reset(fmi3Instance);
 
-/* Getting and setting look the same for all types but two. */
+/* Getting and setting have the same form for all types but two. */
 #define FMI3_GET_AND_SET(NAME)                                                                                         \
     FMI3_FUNCTION fmi3Status fmi3Get##NAME(fmi3Instance, const fmi3ValueReference[], size_t n, fmi3##NAME value[],     \
                                            size_t n_values);                                                           \

@@ -6,7 +6,7 @@
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-/* Nothing may be asked of no variables. */
+/* Accepts a request for no variables. */
 #define NO_VARIABLE_IS(NAME)                                                                                           \
     fmi3Status fmi3Get##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[],              \
                              size_t n_values)                                                                          \

@@ -1,6 +1,6 @@
-/* Every call of FMI 3.0 beside those for co-simulation of numbers, truths and texts with states: what a unit does not
- * offer, which importers look up all the same. Whoever includes this defines NO_VARIABLE_IS(TYPE), for getting and
- * setting, and DENIED(CALL, arguments...), and gives each a body. No guard: it is a list. */
+/* All calls of FMI 3.0 besides those for co-simulation of numbers, booleans and texts with states: a unit does not
+ * support them, but importers look them up. The including file defines NO_VARIABLE_IS(TYPE), for getting and setting,
+ * and DENIED(CALL, arguments...), and gives each a body. No guard: it is a list. */
 NO_VARIABLE_IS(Float32)
 NO_VARIABLE_IS(Int8)
 NO_VARIABLE_IS(UInt8)

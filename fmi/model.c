@@ -26,7 +26,7 @@ const UnitRow unit_rows[UNIT_ROWS] = {
     {"kg/s", 1, 0, -1, 0},
 };
 
-/* The name of a unit as hawser writes it, "N m", or NULL of a pure number or one that is not in the list. */
+/* Returns the name of a unit in hawser's form, "N m", or NULL for a pure number or one that is not in the list. */
 static const char *unit_name(const char *written)
 {
     char dotted[32];
@@ -79,7 +79,7 @@ static hawser_status room_make(Variables *v, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* A copy of the row with a name, made from a format, that nobody has yet, and with its description. Errors: MEMORY. */
+/* Adds a copy of the row with a unique name, made from a format, and its description. Errors: MEMORY. */
 static hawser_status variable_add(Variables *v, const Variable *row, const char *description, hawser_error *err,
                                   const char *name, ...)
 {
@@ -98,7 +98,7 @@ static hawser_status variable_add(Variables *v, const Variable *row, const char 
     own->description = strdup(description);
     own->what = row->what ? strdup(row->what) : NULL;
     own->key = row->key ? strdup(row->key) : NULL;
-    ++v->n; /* what there is of it is freed with the list */
+    ++v->n; /* its parts are freed with the list */
     const int whole = own->name && own->description && (own->what || !row->what) && (own->key || !row->key);
     return whole ? HAWSER_OK : error_memory(err);
 }
@@ -156,7 +156,7 @@ static void variables_token(const Variables *v, const char *case_text, char toke
              (unsigned long long)(half[1] & 0xffffffffffffu));
 }
 
-/* A case of the text, of which the parameters that are not where they began are set. value NULL: none. */
+/* Makes a case of the text, and sets the parameters that differ from their start values. value NULL: none. */
 static hawser_status case_make(const Model *m, const double *value, hawser_case **out, hawser_error *err)
 {
     char text[80];
@@ -224,8 +224,8 @@ void model_clear(Model *m)
     *m = (Model){0};
 }
 
-/* Inputs: what a simulation can be told while it runs (hawser/control.h), as values that hold. An input that is where
- * it began leaves the case's own drive alone. */
+/* Inputs: the commands of a running simulation (hawser/control.h), as values that last. An input at its start value
+ * leaves the case's own drive unchanged. */
 
 static hawser_status command_add(Variables *v, hawser_control command, const char *what, double start,
                                  const char *description, const char *name, hawser_error *err)
@@ -255,7 +255,7 @@ static hawser_status switch_add(Variables *v, InputTo to, const char *what, cons
     return variable_add(v, &row, description, err, "%s", name);
 }
 
-/* What a drive comes to by itself. */
+/* Returns the final value of a drive. */
 static double profile_end(const Profile *p) { return p->kind == PROFILE_TABLE ? p->value[p->n - 1] : p->v1; }
 
 static hawser_status winch_add(Variables *v, const WinchDef *w, hawser_error *err)
@@ -298,7 +298,7 @@ static hawser_status variables_add_inputs(Variables *v, const hawser_case *c, ha
 {
     const SceneDef *const def = c->def;
     hawser_status status = HAWSER_OK;
-    if (def->analysis.kind != ANALYSIS_DYNAMICS) return HAWSER_OK; /* nothing can be told there */
+    if (def->analysis.kind != ANALYSIS_DYNAMICS) return HAWSER_OK; /* no commands are possible there */
     if (def->winch.present) status = winch_add(v, &def->winch, err);
     for (int i = 0; i < def->n_conveyors && !status; ++i) status = conveyor_add(v, def, &def->conveyors[i], err);
     if (!status && def->reel.model == REEL_PAYOUT && def->reel.torque > 0)
@@ -310,9 +310,9 @@ static hawser_status variables_add_inputs(Variables *v, const hawser_case *c, ha
     return status;
 }
 
-/* Outputs: what a sample shows now, and what the run so far says of the limits. */
+/* Outputs: the present figures of a sample, and the limits of the run so far. */
 
-/* When a row of the sample has something to say. */
+/* Requirement of a row of the sample. */
 typedef enum Needs { ALWAYS, A_WINCH, A_FRONT, A_REFERENCE, A_REEL } Needs;
 
 #define OF_SAMPLE(member) offsetof(hawser_sample, member)
@@ -338,7 +338,7 @@ static const struct {
 
 enum { SAMPLE_ROWS = sizeof sample_rows / sizeof *sample_rows };
 
-/* One after the other; none after the first error. */
+/* Adds one after the other; nothing after the first error. */
 typedef struct Adding {
     Variables *v;
     hawser_error *err;
@@ -369,8 +369,8 @@ static int is_there(const SceneDef *def, const hawser_sample *look, Needs needs)
     return needs == ALWAYS || !isnan(look->paid_out);
 }
 
-/* What the machines' figures are, by key. A figure of a new key adds its row here; the test of descriptions sees to it.
- */
+/* Returns the meaning of a machine's figure, by key. A figure with a new key needs a row here; the test of descriptions
+ * checks that. */
 static const char *figure_meaning(const char *key)
 {
     static const char *const rows[][2] = {
@@ -384,7 +384,7 @@ static const char *figure_meaning(const char *key)
     return "";
 }
 
-/* "slip_m_per_s": the figure's name, without what is its unit. */
+/* Splits "slip_m_per_s" into the figure's name and its unit, which is returned. */
 static const char *figure_unit(const char *key, char name[NAME_MAX_LENGTH])
 {
     static const struct {
@@ -464,7 +464,7 @@ static void probes_add(Adding *a, const hawser_sample *look)
     }
 }
 
-/* What is judged of the run so far. */
+/* Adds the verdict and limits of the run so far. */
 static void judgement_add(Adding *a, hawser_sim *s, int has_winch)
 {
     static const Variable mean = {.type = VARIABLE_REAL, .unit = "N", .from = FROM_PULL_MEAN},
@@ -512,10 +512,9 @@ static hawser_status variables_add_outputs(Variables *v, const hawser_case *c, h
     return a.status;
 }
 
-/* Parameters: every number that the case writes, under "case." by its own key; items of lists by their names, as those
- * of inputs and outputs, or by their place from 1 where they have none. What a case leaves to a default becomes a
- * parameter by being written. What is written of results is not among them, nor are long lists, of rollers or marks
- * say. */
+/* Parameters: every number that the case gives, under "case." by its own key; items of lists by their names, as in
+ * inputs and outputs, or by their place from 1 where they have none. A default becomes a parameter when the case gives
+ * it. Keys about results are left out, as are long lists, for example of rollers or marks. */
 
 enum { LIST_MAX = 40 };
 
@@ -525,7 +524,7 @@ typedef struct Walk {
     hawser_error *err;
 } Walk;
 
-/* How much of a text to show: the sentences that end within 200 bytes, the first in any case. */
+/* Returns the length of a text to show: the sentences that end within 200 bytes, the first in any case. */
 static int sentences_length(const char *text)
 {
     const size_t all = strlen(text);
@@ -537,8 +536,8 @@ static int sentences_length(const char *text)
     return (int)(n > 0 && text[n - 1] == '.' ? n - 1 : n);
 }
 
-/* A number as the case has it: its value in SI is where the parameter begins. One that cannot be read by its dimension
- * alone (a stiffness per power of a length) is none. */
+/* Adds a number of the case: its value in SI is the parameter's start. One that cannot be read by its dimension alone
+ * (a stiffness per power of a length) is left out. */
 static hawser_status number_add(const Walk *w, const CaseNode *node, const CaseSection *section, const CaseKey *key,
                                 const char *name)
 {
@@ -567,14 +566,14 @@ typedef struct Place {
 
 static hawser_status map_walk(const Walk *w, const CaseNode *map, const CaseSection *section, const Place *place);
 
-/* Whether a map's keys are names that the user chooses, each with the section's keys below it. */
+/* Checks whether a map's keys are names that the user chooses, each with the section's keys below it. */
 static int is_named(const CaseSection *section)
 {
     const char *const last = strrchr(section->path, '.');
     return last && strcmp(last, ".NAME") == 0;
 }
 
-/* A step that `--set` can take: a name with a dot in it would be taken apart. */
+/* Adds a step that `--set` accepts: a name with a dot in it would be split. */
 static int step_add(Place *to, const Place *from, const char *step)
 {
     char quoted[VARIABLE_STEP_MAX];
@@ -583,7 +582,7 @@ static int step_add(Place *to, const Place *from, const char *step)
            snprintf(to->name, sizeof to->name, "%s.%s", from->name, variable_step(step, quoted)) < size;
 }
 
-/* Whether no other item of the list has the name. */
+/* Checks that no other item of the list has the name. */
 static int is_sole(const CaseNode *list, const char *name)
 {
     int n = 0;
@@ -594,7 +593,7 @@ static int is_sole(const CaseNode *list, const char *name)
     return n <= 1;
 }
 
-/* An item of a list: by its name if it has one of its own, otherwise by its place. */
+/* Adds an item of a list: by its name if it is unique, otherwise by its place. */
 static int item_add(Place *to, const Place *from, const CaseNode *list, const CaseNode *item)
 {
     char quoted[VARIABLE_STEP_MAX];
@@ -634,10 +633,10 @@ static hawser_status map_walk(const Walk *w, const CaseNode *map, const CaseSect
     return status;
 }
 
-/* Parts of it. */
+/* Adds the parameters below a node. */
 static hawser_status variables_add_parameters(Variables *v, hawser_case *c, hawser_error *err)
 {
-    hawser_error unread; /* what cannot be read as a number is no parameter */
+    hawser_error unread; /* a value that is no number is no parameter */
     const CaseReader r = {.units = units_new(), .def = c->def, .root = c->tree->root, .err = &unread};
     const Walk w = {v, &r, err};
     if (!r.units) return error_memory(err);

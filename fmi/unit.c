@@ -10,7 +10,8 @@
 
 #include "sim/run/sim.h"
 
-/* What stands behind "file:" and an empty host or the own one; the whole if there is no scheme; NULL: anything else. */
+/* Returns the part behind "file:" and an empty host or the local one; the whole if there is no scheme; NULL: anything
+ * else. */
 static const char *path_of(const char *address)
 {
     if (strncmp(address, "file:", 5) != 0) return strstr(address, "://") ? NULL : address;
@@ -20,7 +21,8 @@ static const char *path_of(const char *address)
     return *path == '/' ? path : NULL;
 }
 
-/* "%20" -> ' ' in place. Returns 0 where a '%' is not followed by two hexadecimal digits, or stands for a NUL. */
+/* Decodes "%20" -> ' ' in place. Returns 0 where a '%' is not followed by two hexadecimal digits, or stands for a NUL.
+ */
 static int escapes_take(char *path)
 {
     char *to = path;
@@ -49,7 +51,7 @@ char *address_folder(const char *address)
     return folder;
 }
 
-/* Values of outputs: the sample is taken once a step, limits and verdict are judged only when they are asked for. */
+/* Updates the values of outputs: the sample is taken once a step, limits and verdict are judged only on request. */
 
 static const hawser_sample *look_now(Unit *u)
 {
@@ -75,7 +77,7 @@ static const Look *judge_now(Unit *u)
 
 static double margin_of(const hawser_limit *limit) { return limit->judged ? limit->margin : NAN; }
 
-/* By the variable's name, "margins.push": a run may judge more limits than are known before it. */
+/* Finds a margin by the variable's name, "margins.push": a run may judge more limits than are known before it. */
 static double margin_named(const Look *look, const char *name)
 {
     const char *const limit = strrchr(name, '.') ? strrchr(name, '.') + 1 : name;
@@ -105,10 +107,10 @@ static double roller_load(const hawser_sample *now, int item)
     return item < 0 ? most : now->roller_load[item];
 }
 
-/* As the enumeration of the description counts. */
+/* Returns the verdict in the numbers of the description's enumeration. */
 static double verdict_of(const Look *look) { return 1 + hawser_verdict_word(look->broken); }
 
-/* For unit_get of an output, when the simulation is there. */
+/* Returns the number of an output; the simulation exists. */
 static double output_number(Unit *u, const Variable *row)
 {
     const hawser_event *event;
@@ -195,9 +197,9 @@ Outcome unit_denied(const void *instance, const char *call)
 
 Outcome outcome_worse(Outcome a, Outcome b) { return b > a ? b : a; }
 
-/* ---------------------------------------------------------------------------------------------------- beginning */
+/* ---------------------------------------------------------------------------------------------------- start */
 
-/* Values as the description has them. */
+/* Sets the start values of the description. */
 static void values_begin(Unit *u)
 {
     for (int i = 0; i < u->model.variables.n; ++i)
@@ -255,7 +257,7 @@ Unit *unit_free(Unit *u)
     return NULL;
 }
 
-/* Whether a parameter has another value than the simulation was built with. */
+/* Checks whether a parameter differs from the value that the simulation was built with. */
 static int is_stale(const Unit *u)
 {
     for (int i = 0; i < u->model.variables.n; ++i) {
@@ -265,8 +267,8 @@ static int is_stale(const Unit *u)
     return 0;
 }
 
-/* The simulation that is there serves as long as it has the parameters, and stands at the start if it is to be fresh.
- */
+/* Keeps the simulation as long as it has the parameters, and if `fresh` is set only at its start; otherwise builds it
+ * again. */
 static Outcome unit_rebuild(Unit *u, int fresh)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -278,7 +280,7 @@ static Outcome unit_rebuild(Unit *u, int fresh)
     return GOES_WELL;
 }
 
-/* The same at equilibrium, if the case wants that, and in the statistics. */
+/* Does the same, at equilibrium if the case requires it, and with its statistics. */
 static Outcome sim_ready(Unit *u)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -338,7 +340,8 @@ Outcome unit_reset(Unit *u)
 
 /* -------------------------------------------------------------------------------------------------------- steps */
 
-/* One input that has another value than the simulation was told last. What cannot be done is said; the step goes on. */
+/* Gives the command of one input whose value differs from the last command. A failure is reported; the step continues.
+ */
 static Outcome input_tell(Unit *u, int i, double ramp)
 {
     const Variable *const row = &u->model.variables.row[i];
@@ -369,8 +372,8 @@ static Outcome inputs_tell(Unit *u)
     return worst;
 }
 
-/* Samples of the statistics are due at whole multiples of the case's interval, and belong to the first step that ends
- * there or later, as in hawser_sim_run. */
+/* Records samples of the statistics at whole multiples of the case's interval, in the first step that ends there or
+ * later, as hawser_sim_run does. */
 static void row_record(Unit *u)
 {
     const double t = hawser_sim_time(u->sim), interval = u->model.interval, next = interval * (double)u->rows;
@@ -393,7 +396,7 @@ Outcome unit_step(Unit *u, double now, double step, int *over)
     const Outcome outcome = inputs_tell(u);
     u->look.fresh = u->look.judged = 0;
     while (!status && hawser_sim_time(u->sim) < next - u->start) {
-        const double end = hawser_sim_end_time(u->sim); /* before the case's own: the winch has ended the run */
+        const double end = hawser_sim_end_time(u->sim); /* before the case's own end: the winch has ended the run */
         if (end < u->ends && hawser_sim_time(u->sim) >= end) break;
         status = hawser_sim_advance(u->sim, next - u->start, 1, &err);
         if (!status) row_record(u);
@@ -437,14 +440,14 @@ Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, co
     return GOES_WELL;
 }
 
-/* Whether a variable can have a value: a number between its ends, or where it begins. */
+/* Checks whether a variable can have a value: a number in its range, or its start value. */
 static int unit_can_be(const Variable *row, double value)
 {
     if (!(value < row->start || value > row->start)) return isfinite(value);
     return isfinite(value) && !(value < row->least || value > row->most);
 }
 
-/* A value that cannot be is refused, and what was set before stays. */
+/* Rejects an impossible value; the value before stays. */
 Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
 {
     const Variable *const row = variable_of(u, reference, type);
@@ -459,15 +462,15 @@ Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
     return GOES_WELL;
 }
 
-/* An instance's state as bytes: where it is in its life, its values, and the simulation's checkpoint. */
+/* An instance's state as bytes: its phase, its values, and the simulation's checkpoint. */
 
-/* What stands before values and checkpoint; all of it is written, padding included. */
+/* Head before values and checkpoint; all of it is written, padding included. */
 typedef struct StateHead {
-    char token[TOKEN_SIZE + 3]; /* whose state it is */
+    char token[TOKEN_SIZE + 3]; /* FMU of the state */
     int phase, variables;
     long rows;
     double start, stop;
-    size_t checkpoint; /* bytes of it; 0: the simulation stands at the start, or is not there */
+    size_t checkpoint; /* its size in bytes; 0: the simulation is at its start, or does not exist */
 } StateHead;
 
 typedef struct UnitState {
@@ -496,7 +499,7 @@ static Outcome save(Unit *u, UnitState **state)
     if (made) {
         made->size = size;
         memcpy(made->byte, &head, sizeof head);
-        memcpy(made->byte + sizeof head, u->value, values_size(u)); /* what was told stands behind them */
+        memcpy(made->byte + sizeof head, u->value, values_size(u)); /* the commands are behind them */
         if (checkpoint) memcpy(made->byte + sizeof head + values_size(u), checkpoint, head.checkpoint);
     }
     hawser_bytes_free(checkpoint);
@@ -504,7 +507,7 @@ static Outcome save(Unit *u, UnitState **state)
     return made ? GOES_WELL : unit_say(u, FAILED, "out of memory");
 }
 
-/* Whether the bytes are of this FMU, and as many as they say; *head is filled then. */
+/* Checks that the bytes are of this FMU, and as many as the head states; *head is filled then. */
 static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
 {
     if (size < sizeof *head) return 0;
@@ -513,7 +516,7 @@ static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *h
            size - sizeof *head >= values_size(u) && size - sizeof *head - values_size(u) == head->checkpoint;
 }
 
-/* Whether an instance can be there: a simulation goes with steps, times are numbers, samples have been counted. */
+/* Checks that an instance can exist: steps need a simulation, times are numbers, samples have been counted. */
 static int head_can_be(const StateHead *head)
 {
     const int early = head->phase == PHASE_INSTANTIATED || head->phase == PHASE_INITIALIZING;
@@ -522,7 +525,7 @@ static int head_can_be(const StateHead *head)
            head->stop > head->start;
 }
 
-/* Whether all values behind the head, those set and those told, are such as unit_set takes. */
+/* Checks that unit_set would accept all values behind the head, those set and those of commands. */
 static int values_can_be(const Unit *u, const unsigned char *bytes)
 {
     for (int i = 0; i < 2 * u->model.variables.n; ++i) {
@@ -533,7 +536,7 @@ static int values_can_be(const Unit *u, const unsigned char *bytes)
     return 1;
 }
 
-/* All of this of a state; *head is filled then. */
+/* Checks all of a state; *head is filled then. */
 static int state_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
 {
     return head_read(u, bytes, size, head) && head_can_be(head) &&
@@ -560,7 +563,7 @@ static Outcome load(Unit *u, const UnitState *state)
     return GOES_WELL;
 }
 
-/* *state, which may be there already, becomes what was made. */
+/* Replaces *state, which may exist already, by the new one. */
 static Outcome hand_over(Outcome outcome, UnitState *made, void **state)
 {
     if (outcome) return outcome;

@@ -1,5 +1,5 @@
-/* hawser_ranks by MPI: a library that the program loads when it is asked to (study/slurm.c), so that what
- * is built without MPI, or runs where there is none, does not need it. */
+/* hawser_ranks by MPI: a library that the program loads on request (study/slurm.c), so that a program that is built
+ * without MPI, or runs where there is none, does not need it. */
 #include <limits.h>
 #include <mpi.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 enum { TAG = 1, WAITING_MAX = 64 };
 
-/* Messages that are on their way are kept in a buffer, so that who sends does not wait for who receives. */
+/* Buffer for messages under way, so that a sender does not wait for the receiver. */
 static void *buffer;
 
 static void share(void *user, void *data, size_t size)
@@ -38,7 +38,7 @@ static int receive(void *user, int *from, int64_t *message)
     return 1;
 }
 
-/* What was said and not heard is taken off the wire first. */
+/* Receives messages that were sent and not yet received, before MPI ends. */
 static void end_all(void *user)
 {
     int64_t message[HAWSER_RANK_WORDS];
@@ -52,7 +52,7 @@ static void end_all(void *user)
 
 __attribute__((visibility("default"))) int hawser_mpi_open(hawser_ranks *out);
 
-/* 0, or not if MPI cannot begin. */
+/* Returns 0, or something else if MPI cannot begin. */
 int hawser_mpi_open(hawser_ranks *out)
 {
     *out = (hawser_ranks){.share = share, .send = send, .receive = receive, .end = end_all};

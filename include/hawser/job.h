@@ -14,20 +14,20 @@ extern "C" {
 typedef struct hawser_job hawser_job;
 
 /* Reads a job's file and all cases that it names, and calculates each pull in both directions. Errors: INPUT with file,
- * line and key, and the pull's name; MEMORY. *out is NULL then. */
+ * line and key, and the name of the pull; MEMORY. *out is NULL then. */
 hawser_status hawser_job_load(const char *path, hawser_job **out, hawser_error *err);
 void hawser_job_free(hawser_job *job);
-/* The table of pulls, of reels and of joint bays; HAWSER_CSV: the pulls alone. *text is malloc'ed (hawser_text_free).
- * word (may be NULL): SAFE if every pull is, in the direction that is taken; otherwise the word of the worst. Errors:
- * MEMORY. */
+/* Returns the tables of pulls, of reels and of joint bays; HAWSER_CSV: the pulls alone. *text is malloc'ed
+ * (hawser_text_free). word (may be NULL): SAFE if every pull is SAFE in the chosen direction; otherwise the worst word.
+ * Errors: MEMORY. */
 hawser_status hawser_job_answer(const hawser_job *job, hawser_format format, char **text, hawser_word *word,
                                 hawser_error *err);
-/* The same as one page (HTML), with the calculation of each pull behind it, each on a sheet of its own. Errors: INPUT
- * (`path` leads to a file that the job is read from), OUTPUT, MEMORY. */
+/* Writes the same as one page (HTML), followed by the calculation of each pull on its own sheet. Errors: INPUT (`path`
+ * leads to a file that the job is read from), OUTPUT, MEMORY. */
 hawser_status hawser_job_page(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
-/* The crew's sheets of all pulls as one page, a side each (hawser_case_crew_sheet). Errors: as above. */
+/* Writes the crew's sheets of all pulls as one page, a side each (hawser_case_crew_sheet). Errors: as above. */
 hawser_status hawser_job_crew_sheets(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
-/* The tables as a workbook (.xlsx, Office Open XML, ECMA-376), a sheet each, in SI units. Errors: as above. */
+/* Writes the tables as a workbook (.xlsx, Office Open XML, ECMA-376), a sheet each, in SI units. Errors: as above. */
 hawser_status hawser_job_workbook(const hawser_job *job, const char *path, hawser_error *err);
 
 #ifdef __cplusplus

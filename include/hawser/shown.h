@@ -1,5 +1,5 @@
-/* Figures as people read them: part of hawser/hawser.h, which includes it. The library computes, keeps and writes SI;
- * these functions alone turn that into what is shown on a terminal. */
+/* Figures in units for readers: part of hawser/hawser.h, which includes it. The library computes, keeps and writes SI;
+ * these functions alone convert it to what a terminal shows. */
 #ifndef HAWSER_SHOWN_H
 #define HAWSER_SHOWN_H
 
@@ -16,21 +16,21 @@ typedef enum hawser_units { HAWSER_SI, HAWSER_US } hawser_units;
 
 enum { HAWSER_SHOWN_MAX = 48 };
 
-/* A value of an SI unit ("N", "N/m", "m"; "1": a pure number) in four digits with a unit that suits its size: "12.83
- * kN". An infinite one is "none", one that is not known "-". Returns `text` (HAWSER_SHOWN_MAX bytes). */
+/* Writes a value of an SI unit ("N", "N/m", "m"; "1": a pure number) in four digits with a unit that suits its size:
+ * "12.83 kN". An infinite one is "none", an unknown one "-". Returns `text` (HAWSER_SHOWN_MAX bytes). */
 const char *hawser_show(double value, const char *unit, hawser_units units, char *text);
-/* A machine's figure, whose key ends in its unit: "steady_mean_N" is "steady mean 12.83 kN". `text` has twice
- * HAWSER_SHOWN_MAX bytes. */
+/* Writes a machine's figure, whose key ends in its unit: "steady_mean_N" becomes "steady mean 12.83 kN". `text` has
+ * twice HAWSER_SHOWN_MAX bytes. Returns `text`. */
 const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, char *text);
-/* A sentence in which every quantity of an SI unit ("0.5 to 1 kN/m", "800 mm2") is turned into `units`, with as many
- * digits as it has and three at least; of SI the sentence itself. At most `size` bytes. Returns `text`. */
+/* Writes a sentence with every quantity of an SI unit ("0.5 to 1 kN/m", "800 mm2") converted to `units`, with as many
+ * digits as it has and at least three; for SI the sentence itself. At most `size` bytes. Returns `text`. */
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size);
 
 struct hawser_sim;
 
-/* What a report begins with: a line with the verdict, then what it rests on, each line "  word  sentence": the pull
- * against what is allowed, the worst place, what to do about each limit that is broken, and whether the figures are to
- * be trusted. At most `size` bytes (HAWSER_ANSWER_MAX is enough). Returns `text`. */
+/* Writes the beginning of a report: a line with the verdict, then its reasons, each line " word sentence": the pull
+ * against its limit, the worst place, a remedy for each broken limit, and whether the figures can be trusted. At most
+ * `size` bytes (HAWSER_ANSWER_MAX is enough). Returns `text`. */
 enum { HAWSER_ANSWER_MAX = 8192 };
 const char *hawser_sim_answer(struct hawser_sim *s, hawser_units units, char *text, size_t size);
 

@@ -1,4 +1,4 @@
-/* What every call says of how it went; versions. Part of hawser/hawser.h, which includes it. */
+/* Status of a call; versions. Part of hawser/hawser.h, which includes it. */
 #ifndef HAWSER_STATUS_H
 #define HAWSER_STATUS_H
 
@@ -8,10 +8,10 @@
 extern "C" {
 #endif
 
-/* A case and a simulation of it (hawser/hawser.h): what is in them is the library's. */
+/* A case and a simulation of it (hawser/hawser.h); their contents are the library's. */
 typedef struct hawser_case hawser_case;
 typedef struct hawser_sim hawser_sim;
-/* How far a run is, for whoever follows it (hawser_sim_run). */
+/* Receives the progress of a run (hawser_sim_run). */
 struct hawser_sample;
 typedef int (*hawser_progress)(void *user, const struct hawser_sample *sample, double wall_s, double end_s);
 
@@ -21,20 +21,20 @@ typedef enum hawser_status {
     HAWSER_ERR_RUN = 3,    /* the integration failed; what was computed before is kept */
     HAWSER_ERR_OUTPUT = 4, /* a result could not be written */
     HAWSER_ERR_MEMORY = 5,
-    HAWSER_STOPPED = 130 /* stopped because the caller asked for it */
+    HAWSER_STOPPED = 130 /* stopped because the caller requested it */
 } hawser_status;
 
-/* What went wrong. Set it to {0} and pass it on: the fields are what the message says in one line, for programs. What
- * is not known stays "", 0 or, of a segment, -1. */
+/* What went wrong, for programs. Set it to {0} and pass it on: the fields hold what the message states in one line. An
+ * unknown one stays "", 0 or, for a segment, -1. */
 enum { HAWSER_MESSAGE_MAX = 1024, HAWSER_KEY_MAX = 192, HAWSER_FILE_MAX = 256 };
 typedef struct hawser_error {
     hawser_status status;
     char message[HAWSER_MESSAGE_MAX];
-    char key[HAWSER_KEY_MAX];   /* dotted, of the case: "drive.winch.speed"; or the name of an argument */
-    char file[HAWSER_FILE_MAX]; /* of the case */
+    char key[HAWSER_KEY_MAX];   /* dotted key of the case: "drive.winch.speed"; or the name of an argument */
+    char file[HAWSER_FILE_MAX]; /* file of the case */
     int line;                   /* from 1 */
-    int segment;                /* of the whole chain, where the integration is at its wits' end */
-    double t_s;                 /* simulated time then */
+    int segment;                /* number in the whole chain where the integration failed */
+    double t_s;                 /* simulated time of the failure */
     double reserved[16];
 } hawser_error;
 
@@ -44,10 +44,10 @@ typedef struct hawser_error {
 #define HAWSER_VERSION_PATCH  0
 #define HAWSER_VERSION_NUMBER (10000 * HAWSER_VERSION_MAJOR + 100 * HAWSER_VERSION_MINOR + HAWSER_VERSION_PATCH)
 const char *hawser_version(void);
-/* As HAWSER_VERSION_NUMBER. */
+/* Returns HAWSER_VERSION_NUMBER of the library. */
 int hawser_version_number(void);
 
-/* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */
+/* Formats: text for readers, in SI or in US units (hawser/shown.h); for programs, always in SI. */
 typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE_US } hawser_format;
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* Rows of the tables that a simulation hands out (hawser/hawser.h): what is known of each station, roller, surface,
- * machine and event, and of the pull by position. Strings stay the library's. */
+/* Rows of the tables that a simulation returns (hawser/hawser.h): stations, rollers, surfaces, machines, events, and
+ * the pull by position. Strings stay the library's. */
 #ifndef HAWSER_TABLES_H
 #define HAWSER_TABLES_H
 
@@ -15,7 +15,7 @@ typedef struct hawser_figure {
     double value; /* in the unit that `key` ends in */
 } hawser_figure;
 
-/* A machine of which a run keeps figures; docs/reference/results.md says which, by kind. */
+/* A machine with figures of its own in a run; docs/reference/results.md lists them by kind. */
 typedef struct hawser_machine {
     const char *kind; /* "conveyors"; machines of a kind stand together */
     const char *name;
@@ -32,21 +32,21 @@ typedef struct hawser_mode {
     const double *shape;  /* [6*segments] dx dy dz rx ry rz of each segment's centre, m and rad, largest shift 1 m */
 } hawser_mode;
 
-/* A load of a run with `analysis: static` or `modes` at which the equilibrium stopped being stable. */
+/* A load of a run with `analysis: static` or `modes` at which the equilibrium became unstable. */
 typedef struct hawser_critical {
-    double t;            /* s: the loads are those of this time */
-    double share;        /* t over the run's duration: of loads that grow in proportion to time */
-    double width;        /* s: it was stable so long before t; so well is t known */
-    const char *kind;    /* "buckling", "snap-through" or "flutter"; lives for ever */
-    int unstable;        /* how many motions grow from the equilibrium just beyond; 0: there is none near */
-    double at;           /* m from the tail, where the motion that grows is largest */
-    double direction[3]; /* of the motion there, unit */
-    const double *shape; /* [6*segments] of that motion, as a mode's */
+    double t;         /* s: the loads are those of this time */
+    double share;     /* t over the run's duration, for loads that grow in proportion to time */
+    double width;     /* s: uncertainty of t; the equilibrium was stable this long before t */
+    const char *kind; /* "buckling", "snap-through" or "flutter"; lives for ever */
+    int unstable; /* number of motions that grow from the equilibrium just beyond; 0: there is no equilibrium near */
+    double at;    /* m from the tail, where the motion that grows is largest */
+    double direction[3]; /* unit vector of the motion there */
+    const double *shape; /* [6*segments] that motion, as for a mode; m and rad */
 } hawser_critical;
 
-/* What kind of event it is. The numbers stay. */
+/* Kinds of events. The numbers stay. */
 typedef enum hawser_event_code {
-    HAWSER_EVENT_NOTE = 0, /* a word about the model: what is wrong, or where it begins */
+    HAWSER_EVENT_NOTE = 0, /* a note about the model: what is wrong, or where it begins */
     HAWSER_EVENT_WINCH_TRIPS = 1,
     HAWSER_EVENT_WINCH_STOPPED = 2,
     HAWSER_EVENT_WINCH_STARTS = 3,
@@ -54,21 +54,21 @@ typedef enum hawser_event_code {
     HAWSER_EVENT_WINCH_STAYS = 5,    /* it has stopped for good */
     HAWSER_EVENT_WINCH_ENDS_RUN = 6, /* the same, and the run ends with it */
     HAWSER_EVENT_JAM = 7,
-    HAWSER_EVENT_FREE = 8, /* what was jammed is free again */
+    HAWSER_EVENT_FREE = 8, /* a jammed thing is free again */
     HAWSER_EVENT_CONVEYOR_LETS_GO = 9,
     HAWSER_EVENT_CONVEYOR_GRIPS = 10,
-    HAWSER_EVENT_TURNED = 11,   /* something has turned farther than the model can follow */
+    HAWSER_EVENT_TURNED = 11,   /* something has turned farther than the model can represent */
     HAWSER_EVENT_PASSED = 12,   /* the cable has gone through something, or has left the scene */
-    HAWSER_EVENT_COMMAND = 100, /* and above: a command, this plus its hawser_control */
+    HAWSER_EVENT_COMMAND = 100, /* first of the commands: this plus the hawser_control */
     HAWSER_EVENT_FORCE = 150,   /* hawser_sim_force */
     HAWSER_EVENT_LAW = 151      /* hawser_sim_set_law */
 } hawser_event_code;
 
-/* Something that happened: what pulls trips, stops, starts again; a command. */
+/* An event: a puller trips, stops, starts again; a command. */
 typedef struct hawser_event {
     double t;         /* s */
-    const char *what; /* in words; lives as long as the simulation */
-    double pull_N;    /* on the rope's end then */
+    const char *what; /* as text; lives as long as the simulation */
+    double pull_N;    /* pull on the rope's end at that time */
     hawser_event_code code;
 } hawser_event;
 
@@ -76,25 +76,25 @@ typedef struct hawser_event {
 typedef struct hawser_position {
     double head_m;      /* m along the route, mean place of the front */
     double pull_N;      /* simulated, mean */
-    double reference_N; /* by the reference theory, cable behind the front and rope ahead of it */
+    double reference_N; /* by the reference theory, with cable behind the front and rope ahead of it */
     double error_pct;   /* 100 (pull - reference) / reference */
 } hawser_position;
 
-/* Steady motion with the cable's front at one place of the route, of a run with `analysis: positions`. */
+/* Steady motion with the cable's front at one place of the route, from a run with `analysis: positions`. */
 typedef struct hawser_place {
-    double head_m, time_s;                  /* along the route, of the front; when the winch has hauled it there */
-    double pull_N, reference_N;             /* of the winch; by the reference theory, NAN: it has none */
-    double front_N;                         /* tension at the front */
-    double tension_N, tension_at_m;         /* the largest of cable and rope, and where */
-    double push_N, push_at_m;               /* the largest compression, 0: none; and where */
-    double roller_N;                        /* the largest load on a roller, ... */
-    const char *roller;                     /* ... which lives as long as the simulation; NULL: none is loaded */
-    double sidewall_N_per_m, sidewall_at_m; /* the largest, T/R of the route's bends; where */
-    double residual_N, tolerance_N;         /* what is left unbalanced, at one segment; what is allowed of it */
-    int iterations;                         /* of Newton's method */
+    double head_m, time_s;          /* front along the route; time at which the winch has hauled it there */
+    double pull_N, reference_N;     /* at the winch; by the reference theory, NAN: it has none */
+    double front_N;                 /* tension at the front */
+    double tension_N, tension_at_m; /* largest of cable and rope, and its place */
+    double push_N, push_at_m;       /* largest compression, 0: none; and its place */
+    double roller_N;                /* largest load on a roller */
+    const char *roller;             /* name of that roller; lives as long as the simulation; NULL: none is loaded */
+    double sidewall_N_per_m, sidewall_at_m; /* largest T/R of the route's bends; its place */
+    double residual_N, tolerance_N;         /* largest unbalanced force on a segment; its allowed value */
+    int iterations;                         /* Newton iterations */
 } hawser_place;
 
-/* Which condition it is. Numbers stay; new kinds come behind. */
+/* Kinds of conditions. Numbers stay; new kinds come behind. */
 typedef enum hawser_condition_kind {
     HAWSER_CONDITION_FINISHED,          /* the run reached its end */
     HAWSER_CONDITION_STEADY_WINDOW,     /* the run reached the steady window */
@@ -130,45 +130,45 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_STIFFNESS          /* of theory: bending stiffness breaks no limit */
 } hawser_condition_kind;
 
-/* A condition under which a run is worth judging (docs/reference/limits.md, "Trust"). */
+/* A condition of trust of a run (docs/reference/limits.md, "Trust"). */
 enum { HAWSER_CONDITIONS_MAX = 32 };
 typedef struct hawser_condition {
     const char *name; /* "energy"; lives for ever */
     const char *unit;
     double value, allowed; /* it holds where value <= allowed */
     int holds;
-    char remedy[200]; /* what is wrong if it does not hold, and what to do */
+    char remedy[200]; /* what is wrong if it does not hold, and a remedy */
     hawser_condition_kind kind;
 } hawser_condition;
 
-/* How several cables lie in a duct (docs/model.md, "Bundles"). */
+/* Layout of several cables in a duct (docs/model.md, "Bundles"). */
 typedef struct hawser_bundle_duct {
     const char *name, *layout;
-    double weight_factor;     /* a factor, of the layout; how much of it friction has, the next two say */
-    double friction_straight; /* coefficient of the cable that stands for them, at speed */
+    double weight_factor;     /* factor, by the layout; the next two give its part in friction */
+    double friction_straight; /* coefficient of the equivalent cable, at speed */
     double friction_bend;
-    double sidewall_factor;   /* the worst loaded cable's share of T/R and of any force across the bundle */
+    double sidewall_factor;   /* share of the worst loaded cable in T/R and in any force across the bundle */
     double jam_ratio;         /* 1.05 times the duct's diameter over the cables' */
     const char *jam_risk;     /* "none": there are not three side by side */
-    double clearance_m, fill; /* above the uppermost; share of the cross-section */
-    double room_m;            /* how far the middle of the cables can move from the duct's */
+    double clearance_m, fill; /* above the uppermost cable; share of the cross-section */
+    double room_m;            /* clearance of the middle of the cables from the duct's */
 } hawser_bundle_duct;
 
-/* Several cables pulled together, and the one cable that is computed in their place. */
+/* Several cables pulled together, and the equivalent cable that is computed in their place. */
 typedef struct hawser_bundle {
     int cables;
     const char *name;              /* "3 x phase + 1 x earth" */
-    const char *weight_correction; /* where the weight factor counts: "everywhere", "straights", "none" */
-    double mass_kg_per_m, EA_N, GA_N, GJ_N_m2, EI_N_m2; /* of all together, free to slide on each other */
-    double diameter_m; /* with which it touches: of the thickest, of twisted ones that of the circle round them */
+    const char *weight_correction; /* where the weight factor applies: "everywhere", "straights", "none" */
+    double mass_kg_per_m, EA_N, GA_N, GJ_N_m2, EI_N_m2; /* of all cables together, free to slide on each other */
+    double diameter_m; /* contact diameter: of the thickest cable; for twisted ones, of the circle round them */
     double lay_m;      /* NAN: not twisted */
-    double share;      /* a share of a force across the bundle, on the worst cable, where there is no duct */
-    int pulled;        /* cables that count for the allowable pull */
+    double share;      /* share of the worst cable in a force across the bundle, where there is no duct */
+    int pulled;        /* number of cables for the allowable pull */
     int n_ducts;
     const hawser_bundle_duct *ducts; /* [n_ducts] */
 } hawser_bundle;
 
-/* What a sample has along the chain and at rollers besides tensions and loads; arrays are the sample's. */
+/* Fields of a sample along the chain and at rollers besides tensions and loads; arrays are the sample's. */
 typedef struct hawser_fields {
     const double *curvature;         /* [joints], 1/m, between neighbouring segments; 0 at the chain's ends */
     const double *sidewall;          /* [joints], N/m, tension over the radius of the route's bend; 0 on the rope */
@@ -180,34 +180,34 @@ typedef struct hawser_fields {
 typedef struct hawser_station {
     const char *name;
     double s;                          /* m along the route */
-    double paper_N;                    /* the paper's formulas */
-    double reference_N;                /* the bend ODE */
+    double paper_N;                    /* by the paper's formulas */
+    double reference_N;                /* by the bend ODE */
     double mean_N, peak_N;             /* simulated: mean of the steady window, peak of the run */
-    double mean_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
+    double mean_error_N, peak_error_N; /* their total error bounds */
 } hawser_station;
 
 /* One roller of the load table (rollers.csv). */
 typedef struct hawser_roller {
     const char *name;
     double s;                     /* m along the route; NAN if it was placed by coordinates */
-    double rating_N;              /* what it may carry; 0: not given */
+    double rating_N;              /* rated load; 0: not given */
     double initial_N;             /* load at equilibrium before t = 0 */
     double steady_N, peak_N;      /* mean of the steady window, NAN until the run reached it; largest of the run */
-    double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
-    double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
-    double steady_error_N, peak_error_N; /* what steady_N and peak_N may be off by: their error bars' totals */
+    double spin_rad_per_s;        /* spin about its axis, mean of the steady window; NAN: it does not spin */
+    double shift_m, peak_shift_m; /* shift from its place, mean of that window and largest; NAN: it is not on a mount */
+    double steady_error_N, peak_error_N; /* total error bounds of steady_N and peak_N */
 } hawser_roller;
 
 /* One duct, tray, floor or wall. */
 typedef struct hawser_surface {
     const char *name, *kind;     /* kind: "duct", "flat", "v", "u" (trays) or "plane" */
     double from_m, to_m;         /* along the route; NAN for planes */
-    double clearance_m;          /* ducts: from the cable lying in it straight up to the duct; NAN for others */
-    double jam_ratio;            /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
+    double clearance_m;          /* ducts: height from the cable lying in it to the top of the duct; NAN for others */
+    double jam_ratio;            /* ducts: 1.05 times duct over cable diameter; significant for three cables */
     double normal_N, friction_N; /* sums of the normal and of the friction forces, means of the steady window */
-    double line_load_N_per_m;    /* the largest normal force per length of cable (sidewall pressure) of the run */
-    double line_load_at_m;       /* m along the route, where that was; NAN: nowhere, or not along the route */
-    double line_load_error;      /* N/m, what line_load_N_per_m may be off by */
+    double line_load_N_per_m;    /* largest normal force per length of cable (contact pressure) of the run */
+    double line_load_at_m;       /* m along the route, place of that force; NAN: nowhere, or not along the route */
+    double line_load_error;      /* N/m, error bound of line_load_N_per_m */
 } hawser_surface;
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* What a planner wants to know first, in words: of a run and of the calculation alike. */
+/* Writes the short answer for a planner, for a run and for the calculation. */
 #include <assert.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,14 +12,14 @@
 
 enum { OPEN_MAX = 400, INDENT = 17, WIDE_ENOUGH = 40 };
 
-/* Adds so many bytes of a text, as far as there is room. */
+/* Adds this many bytes of a text, as far as they fit. */
 static void add(Answer *a, const char *text, int n)
 {
     const int written = snprintf(a->text + a->used, a->size - a->used, "%.*s", n, text);
     a->used += (size_t)written < a->size - a->used ? (size_t)written : a->size - a->used - 1;
 }
 
-/* A sentence of a page, in its language. */
+/* Adds a sentence of a page, in its language. */
 static void add_page_line(Answer *a, const char *word, const char *sentence)
 {
     char said[WORDS_MAX], shown[WORDS_MAX];
@@ -31,8 +31,8 @@ static void add_page_line(Answer *a, const char *word, const char *sentence)
     add(a, "\n", 1);
 }
 
-/* Adds a sentence that begins at column `at`, in the reader's units, cut at blanks into lines that begin at `indent`.
- */
+/* Adds a sentence that begins at column `at`, in the reader's units, wrapped at blanks into lines that begin at
+ * `indent`. */
 static void add_sentence(Answer *a, const char *sentence, int at, int indent)
 {
     char shown[HAWSER_VERDICT_MAX], margin[INDENT + 2];
@@ -42,7 +42,7 @@ static void add_sentence(Answer *a, const char *sentence, int at, int indent)
     while ((int)strlen(rest) > width - at) {
         int n = width - at;
         while (n > 0 && rest[n] != ' ') --n;
-        if (n == 0) break; /* a word that is too long stands as it is */
+        if (n == 0) break; /* a word that is too long is not cut */
         add(a, rest, n);
         add(a, margin, blanks);
         at = indent;
@@ -95,7 +95,7 @@ void answer_assumed(Answer *a, const Setup *setup, int n)
     }
 }
 
-/* Without a power of ten. */
+/* Writes a number without a power of ten. */
 static const char *plain(double value, char text[32])
 {
     snprintf(text, 32, fabs(value) < 1e4 ? "%.4g" : "%.0f", value);
@@ -115,7 +115,7 @@ void answer_unusual(Answer *a, const SceneDef *def, const Route *route)
 
 /* ------------------------------------------------------------------------------------------------------ limits */
 
-/* "; allowed 18.9 kN: 75.6 % left". */
+/* Writes "; allowed 18.9 kN: 75.6 % left". */
 enum { MARGIN_MAX = 160 };
 
 static void say_margin(const hawser_limit *l, hawser_units units, char *text, size_t size)
@@ -124,7 +124,7 @@ static void say_margin(const hawser_limit *l, hawser_units units, char *text, si
     const int over = l->margin < 0;
     const double share = 100 * (over ? fabs(l->value / l->limit - 1) : l->margin);
     hawser_show(l->limit, l->unit, units, allowed);
-    if (!isfinite(share)) { /* of nothing that is allowed everything is beyond any share */
+    if (!isfinite(share)) { /* the allowed value is 0 */
         snprintf(text, size, "allowed %s", allowed);
         return;
     }
@@ -146,14 +146,14 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
     return NULL;
 }
 
-/* Whether what is said for all together is about that limit, too. */
+/* Checks whether the common remedy covers that limit, too. */
 static int is_told(const Mend *mend, const hawser_limit *l)
 {
     return mend && (mend->safe ? !(mend->beside & 1U << l->kind) : limits_is(l->kind, LIMIT_MENDED));
 }
 
-/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before, or is said
- * for all together. */
+/* Writes the worst value of a limit with its place and, if it is broken, the remedy, unless the common remedy covers it
+ * or `said` already holds it. */
 static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, const Mend *mend,
                         char said[REMEDY_MAX])
 {
@@ -168,7 +168,7 @@ static void limit_lines(Answer *a, const Setup *setup, const char *word, const h
     strcpy(said, remedy);
 }
 
-/* Names of those that are not judged, and how to see why. */
+/* Lists the limits that are not judged, and how to see the reasons. */
 static void open_line(Answer *a, int n, const hawser_limit *limit)
 {
     char names[OPEN_MAX] = "";
@@ -179,7 +179,7 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
-enum { BROKEN_SHOWN = 3, BROKEN_BRIEF = 1 }; /* beside the worst */
+enum { BROKEN_SHOWN = 3, BROKEN_BRIEF = 1 }; /* besides the worst */
 
 static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, const Mend *mend)
 {
@@ -205,10 +205,10 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
     open_line(a, n, limit);
 }
 
-/* ------------------------------------------------------------------------------------------ of the calculation */
+/* ------------------------------------------------------------------------------------------ the calculation */
 
-/* Where the largest force of a way occurs, unless that is at the end of the one section: " (pit P, the head at 400 m)";
- * head: m along the route. */
+/* Writes the place of the largest force of a way, unless that is at the end of the only section: " (pit P, the head at
+ * 400 m)"; head: m along the route. */
 static const char *largest_place(const Answer *a, const Setup *setup, const Calculator *c, int k, double head,
                                  char text[160])
 {
@@ -223,8 +223,8 @@ static const char *largest_place(const Answer *a, const Setup *setup, const Calc
     return text;
 }
 
-/* "; allowed 18.9 kN: 75.6 % left": what is allowed of the cable, at speed or from rest, whichever leaves less; its
- * tension stands before it where that is not the winch's force. */
+/* Writes "; allowed 18.9 kN: 75.6 % left": the cable's limit, at speed or from rest, whichever leaves less; preceded by
+ * its tension where that differs from the winch's force. */
 static void pull_margin(const Answer *a, int n, const hawser_limit *limit, const char *force, const char *at_rest,
                         char text[MARGIN_MAX])
 {
@@ -242,8 +242,7 @@ static void pull_margin(const Answer *a, int n, const hawser_limit *limit, const
     say_margin(l, a->units, text + strlen(text), MARGIN_MAX - strlen(text));
 }
 
-/* The largest force that a winch of one way needs, at speed and from rest: of all sections and of all places of the
- * head. */
+/* Writes the largest winch force of one way, at speed and from rest, over all sections and all places of the head. */
 static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 {
     char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[MARGIN_MAX], at[160], then[160];
@@ -266,7 +265,7 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 
 enum { MEND_SHOWN = 4, MEND_BRIEF = 2 };
 
-/* What would do together, or what no duct, radius and friction mends. */
+/* Writes the common remedy, or that no duct, radius and friction makes the pull safe. */
 static void mend_lines(Answer *a, const Setup *setup, const Mend *m, int of_run)
 {
     char text[1600] = "", one[REMEDY_MAX];
@@ -290,7 +289,7 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m, int of_run)
         answer_line(a, "remedy", "no duct, radius or lower friction makes this safe: still broken is %s", m->still);
 }
 
-/* How many of what is assumed have a range above what was taken. */
+/* Counts the assumptions whose range goes above the assumed value. */
 static int open_ranges(const Setup *setup)
 {
     Assumed list[ASSUMED_KINDS];
@@ -300,7 +299,8 @@ static int open_ranges(const Setup *setup)
     return ranges;
 }
 
-/* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
+/* Writes bounds by the same calculation that would keep the limits of this way: less friction, a shorter pull,
+ * machines. */
 static void inverse_lines(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse, int way)
 {
     char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], text[REMEDY_MAX];
@@ -322,7 +322,7 @@ static void inverse_lines(Answer *a, const Setup *setup, const Calculator *c, co
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
         const Mend *const m = &inverse->mend[way];
         if (m->safe && *b->stays) continue;
-        const int told = m->safe && m->n + m->n_ducts == 0; /* the same friction, rounded */
+        const int told = m->safe && m->n + m->n_ducts == 0; /* the common remedy has the same friction, rounded */
         if (b->kind == INVERSE_FRICTION && !told) {
             const Remedy r = friction_part(setup, b->now, b->value);
             remedy_say(&r, a->units, text);
@@ -341,7 +341,7 @@ static void inverse_lines(Answer *a, const Setup *setup, const Calculator *c, co
                     machines->stays);
 }
 
-/* With all that is assumed at its upper end. */
+/* Writes the result with all assumptions at their upper ends. */
 static void together_line(Answer *a, const Setup *setup, const Calculator *c)
 {
     hawser_limit all[HAWSER_LIMITS_MAX];
@@ -360,7 +360,8 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
                     hawser_show(pull->value, "N", a->units, found), broken);
 }
 
-/* A verdict, of which a short answer says how many limits are broken, but not which: the lines below it do. */
+/* Returns the verdict; in a short answer with the number of broken limits but without their names, which are in the
+ * lines below. */
 static const char *verdict_shown(const Answer *a, const Calculator *c, int way, const TheoryVerdict *verdict,
                                  char text[HAWSER_VERDICT_MAX])
 {
@@ -400,7 +401,7 @@ static void theory_say(Answer *a, const Setup *setup, const Calculator *c, const
 
 enum { LINES_MOST = 24 }; /* below the title */
 
-/* What takes more lines than a terminal's page is said again, shorter. */
+/* Writes the answer, and a shorter one instead if it takes more lines than a terminal has. */
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const TheoryVerdict verdict[PLAN_WAYS])
 {
@@ -413,9 +414,9 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     theory_say(a, setup, c, inverse, verdict);
 }
 
-/* -------------------------------------------------------------------------------------------------- of a run */
+/* -------------------------------------------------------------------------------------------------- a run */
 
-/* " +- 0.38 %"; nothing where it is not known. Beyond the figure itself it bounds nothing. */
+/* Writes " +- 0.38 %"; nothing where the bound is not known. A bound larger than the figure itself is useless. */
 static const char *say_bar(const hawser_error_bar *bar, double figure, char text[32])
 {
     *text = 0;
@@ -425,7 +426,7 @@ static const char *say_bar(const hawser_error_bar *bar, double figure, char text
     return text;
 }
 
-/* The winch's force, against what the cable may be pulled with. */
+/* Writes the winch's force against the cable's limit. */
 static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
 {
     char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[MARGIN_MAX];
@@ -442,7 +443,7 @@ static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_li
     }
 }
 
-/* Where the pull is largest, and what is largest there. */
+/* Writes where the pull is largest, and the largest figures there. */
 static void place_lines(Answer *a, const hawser_summary *s)
 {
     char pull[HAWSER_SHOWN_MAX], at[HAWSER_SHOWN_MAX], what[HAWSER_SHOWN_MAX], last[HAWSER_SHOWN_MAX];
@@ -461,9 +462,9 @@ static void place_lines(Answer *a, const hawser_summary *s)
                     NAME_BEGINS, p->roller, NAME_ENDS);
 }
 
-static const double REACHED = 0.995; /* of the route, from which on the pull has come to its end */
+static const double REACHED = 0.995; /* share of the route at which the pull counts as finished */
 
-/* Limits are of what was run: where the pull was not over by then, they say nothing of the rest. */
+/* Notes that the limits cover only the part of the pull that was run. */
 static void reached_line(Answer *a, hawser_sim *s)
 {
     const Scene *const scene = &s->stage.scene;
@@ -474,7 +475,7 @@ static void reached_line(Answer *a, hawser_sim *s)
                 hawser_show(front, "m", a->units, at), hawser_show(length, "m", a->units, of));
 }
 
-/* Why the figures are not to be trusted, one reason a line; or that they are. */
+/* Writes the reasons why the figures cannot be trusted, one a line; or that they can. */
 static void trust_lines(Answer *a, const hawser_summary *s)
 {
     char found[HAWSER_SHOWN_MAX], allowed[HAWSER_SHOWN_MAX];
@@ -489,7 +490,7 @@ static void trust_lines(Answer *a, const hawser_summary *s)
     if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
 }
 
-/* What theory knows is mended together, the rest limit by limit. */
+/* Writes a common remedy for the limits that theory computes, and single remedies for the rest. */
 static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_limit *limit)
 {
     const Setup *const setup = &s->stage.scene.setup;
@@ -499,7 +500,7 @@ static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_l
     if (together) mend_lines(a, setup, &mend, 1);
 }
 
-/* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
+/* Writes only whether the figures can be trusted for a rod: it is not pulled and has no limits. */
 const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, size_t size)
 {
     if (!s || !text || size == 0) return "";
@@ -534,10 +535,10 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     return text;
 }
 
-/* What would make a broken limit hold, from the figures of the limit and of the scene. */
+/* Remedies that would make a broken limit hold, from the figures of the limit and of the scene. */
 
-/* By what a remedy of a run's figure does more than it must: where one place holds the next one counts, and the bar of
- * another run is another. */
+/* Reserve of a remedy for a run's figure: when one place holds the next one may be the worst, and the next run has
+ * another error bound. */
 static const double SPARE = 1.005;
 
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text)
@@ -547,8 +548,8 @@ const char *show_bound(double value, int least, const char *unit, hawser_units u
     return hawser_show(value * (steps * step / shown), unit, units, text);
 }
 
-/* The bend at a place that begins with metres along the route, "17.3 m (out)": the one there, or that ends or begins
- * within the rounding; -1 if there is none. */
+/* Returns the bend at a place that begins with metres along the route, "17.3 m (out)": the one there, or one that ends
+ * or begins within the rounding; -1 if there is none. */
 static int bend_at(const Route *route, const char *where)
 {
     char *end;
@@ -563,7 +564,7 @@ static int bend_at(const Route *route, const char *where)
     return found;
 }
 
-/* The duct of that name; -1 if there is none. */
+/* Returns the duct of that name; -1 if there is none. */
 static int duct_called(const SceneDef *def, const char *name)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -575,8 +576,9 @@ static int duct_called(const SceneDef *def, const char *name)
 
 static double largest_friction(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
 
-/* N/m: how much a bend's tension grows at most with its radius, also from rest. A longer bend has more weight on it, of
- * which friction takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
+/* Returns the largest growth of a bend's tension with its radius, N/m, also from rest. A longer bend carries more
+ * weight; friction takes mu of it at the beginning and exp(mu angle) times as much at the end; a climb takes all of it.
+ */
 static double tension_by_radius(const Setup *setup, const RoutePiece *bend)
 {
     const SceneDef *const def = setup->def;
@@ -587,7 +589,7 @@ static double tension_by_radius(const Setup *setup, const RoutePiece *bend)
     return setup->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));
 }
 
-/* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
+/* Finds the smallest R' with (T + k (R' - R)) / R' at the limit: T/R falls as R grows. */
 static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
     const int p = bend_at(setup->route, l->where);
@@ -604,7 +606,7 @@ static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r
     mend_key(setup, p, r->key);
 }
 
-/* All limits of the duct together, so that what mends one does not break another. */
+/* Considers all limits of the duct together, so that the remedy for one does not break another. */
 static void duct_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
     const int i = duct_called(setup->def, l->where);
@@ -619,7 +621,7 @@ static void duct_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
     surface_key(setup->def, i, "radius", r->key);
 }
 
-/* Remedies that are the limit itself, or what is missing to it, the keys that would do it, and the sentence, below. */
+/* Remedies that are the limit itself or the amount missing to it; their keys and sentences are below. */
 typedef enum Bound { BOUND_NONE, BOUND_LEAST, BOUND_MOST, BOUND_OVER } Bound;
 
 static const struct SimpleRemedy {
@@ -648,10 +650,11 @@ static void simple_remedy(const hawser_limit *l, Remedy *r)
         r->most = l->limit;
         snprintf(r->key, sizeof r->key, "theory.feed");
     }
-    if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) r->code = NULL; /* less pull is said there */
+    if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) r->code = NULL; /* in its sentence */
 }
 
-/* `drive.tail` is of each cable (BU10); what pushes the cable from behind may push less. */
+/* Shares the brake force among the cables, each with its own `drive.tail` (BU10); a machine that pushes the cable from
+ * behind may push less. */
 static void run_away_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
     const int tails = bundle_tails(&setup->def->bundle);
@@ -666,13 +669,13 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
 {
     hawser_limit sure = *broken;
     const hawser_limit *const l = &sure;
-    if (sure.error > 0) sure.value = SPARE * (sure.value + sure.error); /* what does must do for certain */
+    if (sure.error > 0) sure.value = SPARE * (sure.value + sure.error); /* the remedy must hold for certain */
     *r = (Remedy){.limit = broken->name, .unit = "1", .least = NAN, .most = NAN, .now = NAN, .share = NAN};
     switch (l->kind) {
     case HAWSER_LIMIT_SIDEWALL:
         sidewall_remedy(setup, l, r);
         break;
-    case HAWSER_LIMIT_ROPE: /* of the strength, over the factor of safety that the limit has */
+    case HAWSER_LIMIT_ROPE: /* the limit is the strength over its factor of safety */
         r->code = "rope_strength";
         r->unit = "N";
         r->least = l->value * (setup->def->limits.rope_strength / l->limit);
@@ -702,7 +705,7 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
     return r->code != NULL;
 }
 
-/* ------------------------------------------------------------------------------- what was computed again together */
+/* ------------------------------------------------------------------------------- the common remedy */
 
 static Remedy part_of(const char *code, const char *where, double now)
 {
@@ -722,7 +725,7 @@ static Remedy duct_part(const Setup *setup, const MendDuct *duct)
     return r;
 }
 
-/* All changes of slope have one radius between them. */
+/* All changes of slope share one radius. */
 static Remedy bend_part(const Setup *setup, const MendBend *bend)
 {
     const RoutePiece *const piece = &setup->route->piece[bend->piece];
@@ -778,8 +781,8 @@ int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
 
 /* ------------------------------------------------------------------------------------------------------- sentences */
 
-/* Of each code that the kinds do not have. {NAME} is a value; what stands in [...] goes where one of its values is not
- * there, or becomes what stands behind its '|'. */
+/* Sentences of the codes that the kinds do not have. {NAME} is a value; a part in [...] is omitted if one of its values
+ * is missing, or replaced by the text behind its '|'. */
 static const struct RemedySentence {
     const char *code, *text;
 } sentence[] = {
@@ -817,7 +820,7 @@ static const char *sentence_of(const Remedy *r)
     return NULL;
 }
 
-/* The value called name [n]; "" if there is none. */
+/* Returns the value called name [n]; "" if there is none. */
 static const char *remedy_value(const Remedy *r, const char *name, size_t n, hawser_units units, char text[64])
 {
     const struct {
@@ -842,9 +845,9 @@ static const char *remedy_value(const Remedy *r, const char *name, size_t n, haw
 
 void remedy_say(const Remedy *r, hawser_units units, char text[REMEDY_MAX])
 {
-    size_t n = 0, group = 0; /* where the group begins */
-    size_t whole = 0;        /* where it has ended, while what would replace it is passed over */
-    int missing = 0;         /* a value of the group */
+    size_t n = 0, group = 0; /* beginning of the group */
+    size_t whole = 0;        /* end of the group, while its replacement is skipped */
+    int missing = 0;         /* a value of the group is missing */
     char value[64];
     for (const char *from = sentence_of(r); from && *from; ++from) {
         const char *piece = from;

@@ -1,5 +1,5 @@
-/* A case behind the public handle: a tree of what the file says, and the definition that is read from it when it is
- * first needed. Settings change the tree, and what was read is read again. */
+/* A case behind the public handle: a tree of the file's values, and the definition that is read from it when it is
+ * first needed. A setting changes the tree, which is then read again. */
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -27,7 +27,7 @@ hawser_status case_wrap(CaseTree *tree, const char *name, hawser_case **out, haw
     return HAWSER_OK;
 }
 
-/* Only the YAML is read here; what its values mean is looked at when somebody asks, so that settings may follow. */
+/* Reads only the YAML; the values are interpreted when they are needed, so that they can still be set. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
@@ -37,7 +37,7 @@ hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error
     return status ? status : case_wrap(tree, path, out, err);
 }
 
-/* As above, from memory. */
+/* Does the same from memory. */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
@@ -47,8 +47,9 @@ hawser_status hawser_case_parse(const char *text, const char *name, hawser_case 
     return status ? status : case_wrap(tree, name, out, err);
 }
 
-/* Whether it is JSON, jansson says; YAML holds nearly all of JSON, so that the reader with its lines is the same. What
- * is written in a way of JSON's own (a character as two \u) is written anew, on the lines that jansson gives it. */
+/* Checks with jansson that the text is JSON; since YAML contains nearly all of JSON, the same reader with its line
+ * numbers follows. A text with JSON's own escapes (a character as two \u) is written anew, with the line breaks of
+ * jansson. */
 hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err)
 {
     json_error_t wrong;
@@ -140,10 +141,10 @@ static SceneDef *def_free(SceneDef *def)
     return NULL;
 }
 
-/* Forgets what was read from the tree. */
+/* Drops the definition that was read from the tree. */
 static void drop_read(hawser_case *c) { c->def = def_free(c->def); }
 
-/* Other files may be found now. */
+/* Drops what was read: other files may be found now. */
 hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_error *err)
 {
     if (!c || !folder) return error_argument(err, c ? "folder" : "c");
@@ -155,7 +156,7 @@ hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_erro
     return HAWSER_OK;
 }
 
-/* Whatever was read before may be different now. */
+/* Drops what was read: any of it may have changed. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err)
 {
     if (!c || !key || !value) return error_argument(err, !c ? "c" : !key ? "key" : "value");
@@ -163,8 +164,8 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
     return case_tree_set(c->tree, key, value, err);
 }
 
-/* Reading is done once for any number of checks, descriptions and simulations. Threads that begin at once read the
- * same, each for itself, and the first one's stays. */
+/* Reads once for any number of checks, descriptions and simulations. Threads that begin at the same time each read for
+ * themselves, and the first result is kept. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
 {
     if (!c) return error_argument(err, "c");
@@ -189,12 +190,12 @@ hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *e
                           what);
 }
 
-/* Errors of the reader carry file and line themselves; those of the scene only know the key. */
+/* Adds the file to errors of the scene, which know only the key; errors of the reader have file and line. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err)
 {
     if (status != HAWSER_ERR_INPUT || !err) return status;
     const hawser_error found = *err;
-    /* room is left for the prefix: a message that long loses its end */
+    /* leaves space for the prefix: a message that long loses its end */
     error_set(err, status, "%.200s: %.800s", c->name, found.message);
     error_place(err, c->name, 0);
     return status;
@@ -209,7 +210,7 @@ hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error 
 
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
 
-/* NULL is fine, as for every free. */
+/* Accepts NULL, as every free does. */
 void hawser_case_free(hawser_case *c)
 {
     if (!c) return;
@@ -219,18 +220,17 @@ void hawser_case_free(hawser_case *c)
     free(c);
 }
 
-/* The version is the build's, see CMakeLists.txt. */
+/* Returns the build's version, see CMakeLists.txt. */
 const char *hawser_version(void) { return HAWSER_VERSION; }
 
 int hawser_version_number(void) { return HAWSER_VERSION_NUMBER; }
 
-/* Texts may come from another C library's heap than the caller's: they are given back where they were made. */
+/* Frees a text with the library's own heap, which may be another than the caller's. */
 void hawser_text_free(char *text) { free(text); }
 
-/* What a case says that is hardly ever so: a slip of a unit, as a rule. Notes of `hawser check`, no errors. */
+/* Notes of `hawser check` about unusual values, usually a wrong unit; no errors. */
 
-/* Between which values a figure lies wherever cables are pulled; docs/case-format.md, "Figures that are hardly so", has
- * the sources. */
+/* Usual ranges of figures of cable pulls; docs/case-format.md, "Figures that are hardly so", has the sources. */
 typedef enum PlausibleKind {
     PLAUSIBLE_DIAMETER,
     PLAUSIBLE_DENSITY,
@@ -260,13 +260,13 @@ static const struct {
     [PLAUSIBLE_WIDTH] = {"width less 30 mm over the cable's diameter", "", 1.5, 1000},
 };
 
-/* The rows as they are found. */
+/* The rows found so far. */
 typedef struct Notes {
     PlausibleRow *row;
     int n, room;
 } Notes;
 
-/* A row if the value is outside; what is not known is not. */
+/* Adds a row if a known value is outside its range. */
 static void look(Notes *notes, PlausibleKind kind, const char *of, double value)
 {
     if (!isfinite(value) || (value >= ranges[kind].least && value <= ranges[kind].most) || notes->n == notes->room)
@@ -280,7 +280,7 @@ static void look(Notes *notes, PlausibleKind kind, const char *of, double value)
     snprintf(row->of, sizeof row->of, "%s", of);
 }
 
-/* The thickest cable of the chain, m. */
+/* Returns the diameter of the chain's thickest cable, m. */
 static double thickest(const SceneDef *def)
 {
     double diameter = 0;
@@ -288,7 +288,8 @@ static double thickest(const SceneDef *def)
     return diameter;
 }
 
-/* The narrowest flat roller that carries the cable along the route: by the catalogue's rule 1.5 diameters and 30 mm. */
+/* Checks the narrowest flat roller that carries the cable along the route: the catalogue's rule is 1.5 diameters and 30
+ * mm. */
 static void look_at_rollers(Notes *notes, const SceneDef *def)
 {
     const RollerDef *narrow = NULL;
@@ -300,7 +301,7 @@ static void look_at_rollers(Notes *notes, const SceneDef *def)
     if (narrow) look(notes, PLAUSIBLE_WIDTH, narrow->name, (narrow->width - 30e-3) / thickest(def));
 }
 
-/* Ducts of one power cable; thin ones lie in whatever duct there is. */
+/* Checks ducts of one power cable; thin cables lie in ducts of any size. */
 static void look_at_ducts(Notes *notes, const SceneDef *def)
 {
     static const double POWER = 30e-3; /* m, diameter */
@@ -316,7 +317,7 @@ static void look_at_ducts(Notes *notes, const SceneDef *def)
     }
 }
 
-/* Of a cable by its section; the radius of gyration of a rod under test is nobody's affair. */
+/* Checks cables by their section, except in rods under test, whose radius of gyration may be anything. */
 static void look_at_cables(Notes *notes, const SceneDef *def)
 {
     for (int i = 0; i < def->n_cables; ++i) {

@@ -1,4 +1,4 @@
-/* The figures that a run is made for. */
+/* The figures that are certified. */
 #include "io/api/api_certify.h"
 
 #include <math.h>
@@ -16,12 +16,12 @@
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 
-/* The least coefficient that a floor reckons with: cables without friction weigh something too. */
+/* Smallest coefficient for a floor: cables without friction have a weight too. */
 static const double LEAST_MU = 0.01;
 
-static const double LEAST_SHARE = 1e-3; /* of the largest figure of a kind (CE6) */
+static const double LEAST_SHARE = 1e-3; /* share of the largest figure of a kind (CE6) */
 
-static const char ROTATION[] = "rad"; /* the unit of rotation vectors alone: x, y and z in a row */
+static const char ROTATION[] = "rad"; /* unit of rotation vectors alone: x, y and z follow each other */
 
 static void figures_free(Figures *f)
 {
@@ -29,7 +29,7 @@ static void figures_free(Figures *f)
     *f = (Figures){0};
 }
 
-/* The list grows as needed; a failure is seen at the end, by room < 0. */
+/* Adds a figure; the list grows as needed; a failure shows at the end, by room < 0. */
 static void add(Figures *f, const char *unit, double value, double floor, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
@@ -51,7 +51,7 @@ static void add(Figures *f, const char *unit, double value, double floor, const 
     va_end(args);
 }
 
-/* Weight of a metre of the heaviest cable, N/m, and that of a metre that is dragged, N (CE6). */
+/* Weight of a metre of the heaviest cable, N/m, and friction force of a metre, N (CE6). */
 typedef struct Floors {
     double weight, drag;
 } Floors;
@@ -82,7 +82,7 @@ static void add_pull(hawser_sim *s, const hawser_summary *sum, Floors floor, Fig
     }
 }
 
-/* The most heavily loaded roller and surface: what is judged. Which one that is may change with the settings. */
+/* Adds the most heavily loaded roller and surface, which are judged. Finer settings may change which ones these are. */
 static void add_loads(hawser_sim *s, Floors floor, Figures *f)
 {
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -107,9 +107,9 @@ static void add_loads(hawser_sim *s, Floors floor, Figures *f)
     }
 }
 
-/* Largest of a kind over the probes, and what that is in the kind beside it over the rod's length: a moment M stands
- * for forces M/L, a rotation for displacements of L times it. A component need not be known better than a thousandth of
- * it. */
+/* Largest value of a kind over the probes, and its equivalent of the related kind over the rod's length: a moment M
+ * stands for forces M/L, a rotation for displacements of L times it. A component is not required to better than a
+ * thousandth of it. */
 typedef struct RodScales {
     double displacement, rotation, force, moment;
 } RodScales;
@@ -134,8 +134,8 @@ static void add_vector(const double v[3], const char *unit, double scale, const 
     for (int c = 0; c < 3; ++c) add(f, unit, v[c], scale, "%s of %.40s, %c", what, of, "xyz"[c]);
 }
 
-/* A rotation vector r and (1 - 2 pi/|r|) r turn to the same place, and at half a turn rounding decides which of them a
- * run says: the one that is nearer to `own`'s, three numbers (CE8). */
+/* Chooses between r and (1 - 2 pi/|r|) r, the same rotation as two vectors, the one nearer to `own`'s three numbers
+ * (CE8); at half a turn rounding decides which of them a run returns. */
 static void turn_nearer(const Figure own[3], Figure other[3])
 {
     const double r[3] = {other[0].value, other[1].value, other[2].value}, size = length_of(r);
@@ -158,7 +158,8 @@ void figures_follow(const Figures *own, Figures *other)
     }
 }
 
-/* A rod's places at the end, and its modes; the lowest frequency that is none of a rigid motion is the floor of all. */
+/* Adds a rod's places at the end, and its modes; the lowest frequency other than of rigid motions is the floor of all.
+ */
 static void add_rod(const hawser_summary *sum, double length, Figures *f)
 {
     const RodScales scale = rod_scales(sum, length);
@@ -178,7 +179,7 @@ static void add_rod(const hawser_summary *sum, double length, Figures *f)
     for (int i = 0; i < sum->n_modes; ++i) add(f, "Hz", sum->modes[i].frequency_Hz, lowest, "frequency %d", i + 1);
 }
 
-/* No figure need be known better than a thousandth of the largest of its unit. */
+/* Raises each floor to a thousandth of the largest figure with this unit. */
 static void raise_floors(Figures *f, const char *unit)
 {
     double largest = 0;
@@ -211,26 +212,26 @@ hawser_status figures_take(hawser_sim *s, Figures *out, hawser_error *err)
     return error_memory(err);
 }
 
-/* Runs of one case with finer settings, side by side: each on a thread of its own with a simulation of its own, which
- * share nothing. The caller's thread waits and tells how far they are. */
+/* Runs of one case with finer settings at the same time: each on a thread of its own with a simulation of its own,
+ * without shared data. The caller's thread waits and reports their progress. */
 
 enum { THREADS_MAX = 2 };
 
-static const double TELL = 0.2; /* s between two words to the caller */
+static const double TELL = 0.2; /* s between two reports to the caller */
 
-static const double SHARE_KNOWN = 0.02; /* of a run, from which its speed says when it will end */
+static const double SHARE_KNOWN = 0.02; /* share of a run after which its speed predicts its end */
 
 typedef struct Pool {
     const SceneDef *def;
-    int n, next, over; /* runs; the next to be taken; those that have ended */
+    int n, next, over; /* number of runs; next to be started; ended ones */
     Companion *const *companion;
-    int stop;             /* the caller wants no more */
-    hawser_status status; /* MEMORY is the round's; all else is the run's own */
-    pthread_mutex_t lock; /* around what changes: the above, `share` and `seconds` of the companions */
+    int stop;             /* the caller has requested a stop */
+    hawser_status status; /* MEMORY belongs to the round; all else to the single run */
+    pthread_mutex_t lock; /* protects changing data: the above, `share` and `seconds` of the companions */
     pthread_cond_t ended;
 } Pool;
 
-/* The counts of a run into its description. */
+/* Copies the counts of a run into its description. */
 static void companion_describe(const hawser_sim *s, Companion *out)
 {
     const SceneDef *const def = &s->stage.scene.def;
@@ -242,20 +243,20 @@ static void companion_describe(const hawser_sim *s, Companion *out)
     about->segments = sum.segments;
     about->friction = refinement_slower(def, about->level[HAWSER_TIME]);
     about->steps = sum.steps;
-    /* statics have no rates: a Newton step a load step and a segment */
+    /* statics have no rates: counts a Newton step for each load step and segment */
     out->evaluations = (sum.rhs_evals > 0 ? (double)sum.rhs_evals : def->analysis.load_steps) * sum.segments;
 }
 
-/* A run's own progress function: notes how far it is, and whether it may go on. */
+/* Progress function of a run: notes its progress, and whether it may go on. */
 typedef struct Note {
     Pool *pool;
     Companion *companion;
     double started; /* clock_now() */
-    int too_much;   /* it was given up */
+    int too_much;   /* it was stopped because of its cost */
 } Note;
 
-/* After each step: whether the run has done more than all that it may, so that it ends at the same one however fast the
- * machine is. Finer settings can make a scene endless. */
+/* Checks after each step whether the run has exceeded its work, so that it stops at the same step on any machine. Finer
+ * settings can make a scene endless. */
 static int too_much(void *user, hawser_sim *sim, double t)
 {
     Note *const note = user;
@@ -278,7 +279,7 @@ static int note_progress(void *user, const hawser_sample *sample, double wall_s,
     return stop;
 }
 
-/* From the definition to the figures. */
+/* Runs from the definition to the figures. */
 static hawser_status run_one(const SceneDef *def, Companion *c, Note *note, hawser_error *err)
 {
     SceneDef finer;
@@ -300,7 +301,7 @@ static hawser_status run_one(const SceneDef *def, Companion *c, Note *note, haws
     return status;
 }
 
-/* A thread: takes runs until there are none. */
+/* Takes runs until there are none; a thread. */
 static void *work(void *arg)
 {
     Pool *const pool = arg;
@@ -324,8 +325,8 @@ static void *work(void *arg)
     return NULL;
 }
 
-/* What is being computed, and when the round will be over: runs that have not begun will take as long as the others on
- * average. The lock is held. */
+/* Fills in what is being computed, and when the round will end: runs that have not begun are assumed to take the
+ * others' average time. The lock is held. */
 static void state_fill(const Pool *pool, int threads, CertifyRound *round, char *what, size_t size)
 {
     hawser_certify_state *const state = &round->state;
@@ -353,7 +354,7 @@ static void state_fill(const Pool *pool, int threads, CertifyRound *round, char 
     state->left_s = known > 0 ? left / threads : NAN;
 }
 
-/* Until all have ended; the caller is told a few times a second, without the lock. */
+/* Waits until all have ended; reports to the caller a few times a second, without the lock. */
 static void wait_for_all(Pool *pool, CertifyRound *round, int threads)
 {
     char what[160];
@@ -375,8 +376,8 @@ static void wait_for_all(Pool *pool, CertifyRound *round, int threads)
     pthread_mutex_unlock(&pool->lock);
 }
 
-/* Runs them all, side by side on so many threads; a run that fails says so in its `about`. Errors: STOPPED (the
- * caller's wish), MEMORY. */
+/* Runs all companions at the same time on this many threads; a failed run has its message in its `about`. Errors:
+ * STOPPED (by the caller), MEMORY. */
 static hawser_status companions_run(CertifyRound *round, int n, Companion *const *companion, hawser_error *err)
 {
     Pool pool = {.def = round->def,
@@ -392,7 +393,7 @@ static hawser_status companions_run(CertifyRound *round, int n, Companion *const
         ++threads;
 #endif
     if (threads > 0) wait_for_all(&pool, round, threads);
-    if (threads == 0) work(&pool); /* no thread is to be had: in this one, and without a word */
+    if (threads == 0) work(&pool); /* no thread could be started: computes in this one */
     for (int k = 0; k < threads; ++k) pthread_join(thread[k], NULL);
     pthread_mutex_destroy(&pool.lock);
     pthread_cond_destroy(&pool.ended);
@@ -400,7 +401,7 @@ static hawser_status companions_run(CertifyRound *round, int n, Companion *const
     return pool.stop ? error_set(err, HAWSER_STOPPED, "stopped while the figures were being certified") : HAWSER_OK;
 }
 
-/* A certificate for people and for programs: rows of columns, as everywhere. */
+/* A certificate for readers and for programs: rows of columns, as everywhere. */
 
 enum { SHOWN_MAX = 24 };
 
@@ -443,7 +444,7 @@ static const Column run_column[] = {
 
 static const Columns run_columns = COLUMNS(hawser_certify_run, run_column);
 
-/* ------------------------------------------------------------------------------------------------- for people */
+/* ------------------------------------------------------------------------------------------------- for readers */
 
 /* A figure as the report shows it: errors in per cent of its size, or of its floor. */
 typedef struct Shown {
@@ -475,14 +476,14 @@ static Shown show(const hawser_certified *f)
 
 static int of_station(const hawser_certified *f) { return !strncmp(f->name, "tension at", 10); }
 
-/* By how much a figure is worse than what is allowed; not known is worst. */
+/* Returns how much worse a figure is than allowed; an unknown one is worst. */
 static double badness(const hawser_certified *f)
 {
     if (f->run_bar <= 0) return 0;
     return isnan(f->run_bar) ? INFINITY : f->run_bar / f->allowed;
 }
 
-/* Everything but the stations, and of these the worst few. Returns how many. */
+/* Chooses everything but the stations, and the worst few of these. Returns how many. */
 static int choose(const hawser_certificate *c, Shown *out)
 {
     enum { STATIONS_MAX = 4 };
@@ -494,7 +495,7 @@ static int choose(const hawser_certificate *c, Shown *out)
             if (n < SHOWN_MAX - STATIONS_MAX) out[n++] = show(f);
             continue;
         }
-        for (int k = 0; k < STATIONS_MAX && f; ++k) { /* the list stays sorted; who is pushed out goes on */
+        for (int k = 0; k < STATIONS_MAX && f; ++k) { /* keeps the list sorted; a displaced entry moves on */
             if (worst[k] && badness(f) <= badness(worst[k])) continue;
             const hawser_certified *const next = worst[k];
             worst[k] = f;
@@ -550,24 +551,24 @@ static const double TOLERANCE = 0.01, EFFORT = 6;
 
 static const int ROUNDS = 4;
 
-/* Orders that are taken for granted before there are three values (CE3): of the error in accuracy and in segments. */
+/* Assumed orders of the error in accuracy and in segments, until there are three values (CE3). */
 static const double ASSUMED[HAWSER_SOURCES] = {[HAWSER_TIME] = 0.5, [HAWSER_LENGTH] = 1};
 
 static const char *const source_name[HAWSER_SOURCES] = {"time", "length"};
 
 typedef struct Certifier {
-    hawser_certify_options options; /* filled in */
-    const SceneDef *def; /* of the run whose figures are judged: of a second pass, if that replaced the first */
-    double slower;       /* its v_s over the case's */
-    double asks;         /* work with which another round would have begun; 0: none was wanting */
+    hawser_certify_options options; /* with defaults filled in */
+    const SceneDef *def;            /* the run whose figures are judged: a second pass, if that replaced the first */
+    double slower;                  /* its v_s over the case's */
+    double asks;                    /* work of a further round that was not begun; 0: none was needed */
     int n_runs;
-    Companion run[RUNS_MAX]; /* the case's own comes first */
+    Companion run[RUNS_MAX]; /* the case's own run comes first */
     hawser_certificate *out;
 } Certifier;
 
 /* ------------------------------------------------------------------------------------------------------ runs */
 
-/* The run at the base's levels, moved by `by` along one source; NULL: there is none. */
+/* Returns the run at the base's levels, shifted by `by` along one source; NULL: there is none. */
 static Companion *run_at(Certifier *z, const int base[HAWSER_SOURCES], int source, int by)
 {
     for (int r = 0; r < z->n_runs; ++r) {
@@ -578,14 +579,14 @@ static Companion *run_at(Certifier *z, const int base[HAWSER_SOURCES], int sourc
     return NULL;
 }
 
-/* A figure there; NAN where that run does not exist or failed. */
+/* Returns a figure of that run; NAN where that run does not exist or failed. */
 static double figure_at(Certifier *z, const int base[HAWSER_SOURCES], int source, int by, int figure)
 {
     const Companion *const c = run_at(z, base, source, by);
     return c && figure < c->figures.n ? c->figures.figure[figure].value : NAN;
 }
 
-/* Of the finer runs so far, in runs of the case. */
+/* Returns the work of the finer runs so far, in runs of the case. */
 static double work_of_all(const Certifier *z)
 {
     double work = 0;
@@ -593,8 +594,8 @@ static double work_of_all(const Certifier *z)
     return work;
 }
 
-/* What a run at these levels will cost, in runs of the case: each level as many times more as the first one did (or
- * will do: then 1). */
+/* Returns the expected cost of a run at these levels, in runs of the case: each level costs as many times more as the
+ * first one did (or will: 1). */
 static double cost_of(Certifier *z, const int level[HAWSER_SOURCES])
 {
     static const int own[HAWSER_SOURCES] = {0};
@@ -607,10 +608,10 @@ static double cost_of(Certifier *z, const int level[HAWSER_SOURCES])
     return cost;
 }
 
-/* The runs of a round that are not there yet: the base itself, one level further in time, one back in length, which
- * costs little and shows two values that agree by luck, and, behind them, one further in length. Each may take a share
- * of what is left of the effort, that one the rest. Returns what they will cost; adds nothing, and returns INFINITY,
- * where there is no room for them. */
+/* Adds the missing runs of a round: the base itself, one level further in time, one back in length, which costs little
+ * and reveals two values that agree by chance, and finally one further in length. Each may take a share of the
+ * remaining effort, the last one the rest. Returns their expected cost; adds nothing, and returns INFINITY, where there
+ * is no space for them. */
 static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, Companion **wanted)
 {
     static const struct {
@@ -637,7 +638,7 @@ static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, C
 
 /* -------------------------------------------------------------------------------------------------- judgement */
 
-/* One figure at the base's settings (CE5), (CE6). */
+/* Judges one figure at the base's settings (CE5), (CE6). */
 static void judge_figure(Certifier *z, const int base[HAWSER_SOURCES], int i)
 {
     const Figure *const figure = &z->run[0].figures.figure[i];
@@ -663,7 +664,7 @@ static void judge_figure(Certifier *z, const int base[HAWSER_SOURCES], int i)
     f->run_holds = f->holds && f->run_bar <= f->allowed;
 }
 
-/* All of them; 1 if all hold. */
+/* Judges all figures; returns 1 if all hold. */
 static int judge(Certifier *z, const int base[HAWSER_SOURCES])
 {
     int all = 1;
@@ -674,8 +675,9 @@ static int judge(Certifier *z, const int base[HAWSER_SOURCES])
     return all;
 }
 
-/* The settings of the next round: finer by a level in each source of which the error of some figure that does not hold
- * is more than its part of what is allowed. Returns 0 if an error is not known, so that there is no way on. */
+/* Chooses the settings of the next round: one level finer in each source whose error is more than its part of the
+ * allowed error for some figure that does not hold. Returns 0 if an error is not known, so that no choice is possible.
+ */
 static int go_on(const Certifier *z, const int base[HAWSER_SOURCES], int next[HAWSER_SOURCES])
 {
     memcpy(next, base, HAWSER_SOURCES * sizeof *next);
@@ -689,7 +691,7 @@ static int go_on(const Certifier *z, const int base[HAWSER_SOURCES], int next[HA
     return 1;
 }
 
-/* Whether a round could say something of every figure that the round before could speak of. */
+/* Checks whether the round gives an error for every figure. */
 static int is_known(const Certifier *z)
 {
     for (int i = 0; i < z->out->n_figures; ++i)
@@ -697,7 +699,7 @@ static int is_known(const Certifier *z)
     return 1;
 }
 
-/* ------------------------------------------------------------------------------------------------------- words */
+/* ------------------------------------------------------------------------------------------------------- sentences */
 
 typedef struct Words {
     char *text;
@@ -715,7 +717,7 @@ static void say(Words *w, const char *format, ...)
     if (n > 0) w->used += (size_t)n < w->size - w->used ? (size_t)n : w->size - w->used - 1;
 }
 
-/* How far a bar is from what is allowed; one that is not known counts as the worst. */
+/* Returns the ratio of an error bound to its allowed value; an unknown bound is the worst. */
 static double excess(const hawser_certified *f)
 {
     if (f->run_bar <= 0) return 0;
@@ -730,10 +732,10 @@ static const hawser_certified *worst_of(const hawser_certificate *c)
     return worst;
 }
 
-/* A share of the figure, or of its floor. */
+/* Returns an error as a share of the figure, or of its floor, in per cent. */
 static double percent(const hawser_certified *f, double error) { return 100 * error / fmax(fabs(f->best), f->floor); }
 
-/* Settings at some levels, as keys to set; a run has been made at that level of time. */
+/* Writes the settings of some levels, as keys to set; a run has been made at that level of time. */
 static void say_settings(Words *w, const Certifier *z, const int level[HAWSER_SOURCES])
 {
     const int t = level[HAWSER_TIME], l = level[HAWSER_LENGTH];
@@ -745,7 +747,7 @@ static void say_settings(Words *w, const Certifier *z, const int level[HAWSER_SO
     if (l > 0) say(w, "%ssegments 1/%g as long", t > 0 ? ", " : "", pow(refinement_ratio(HAWSER_LENGTH), l));
 }
 
-/* The deepest that each source was refined. */
+/* Writes the finest level of each source that was tried. */
 static void say_tried(Words *w, const Certifier *z)
 {
     int deepest[HAWSER_SOURCES] = {0};
@@ -756,7 +758,7 @@ static void say_tried(Words *w, const Certifier *z)
     say_settings(w, z, deepest);
 }
 
-/* Figures that do not hold: the first few by name, with the source that is most to blame. */
+/* Lists the figures that do not hold: the first few by name, with the source of the largest error. */
 static void say_failing(Words *w, const Certifier *z)
 {
     const hawser_certificate *const c = z->out;
@@ -764,7 +766,7 @@ static void say_failing(Words *w, const Certifier *z)
     for (int i = 0; i < c->n_figures; ++i) {
         const hawser_certified *const f = &c->figure[i];
         if (f->holds) continue;
-        int blame = 0; /* one that is not known is to blame before all others */
+        int blame = 0; /* an unknown error is the largest of all */
         for (int s = 1; s < HAWSER_SOURCES && !isnan(f->error[blame]); ++s)
             if (!(f->error[s] <= f->error[blame])) blame = s;
         diverges |= f->diverges[blame];
@@ -782,7 +784,7 @@ static void say_failing(Words *w, const Certifier *z)
     }
 }
 
-/* The conditions of the run that fail (docs/reference/limits.md, "Trust"); returns how many. */
+/* Lists the conditions of the run that fail (docs/reference/limits.md, "Trust"); returns how many. */
 static int say_conditions(Words *w, const hawser_summary *sum)
 {
     int n = 0;
@@ -794,7 +796,7 @@ static int say_conditions(Words *w, const hawser_summary *sum)
     return n;
 }
 
-/* That a coarser run fails says nothing. */
+/* Finds a failed run; a coarser run that fails does not count. */
 static const Companion *failed_run(const Certifier *z)
 {
     for (int r = 0; r < z->n_runs; ++r)
@@ -841,7 +843,7 @@ static void verdict(Certifier *z, const hawser_summary *sum)
 
 /* ------------------------------------------------------------------------------------------------------ rounds */
 
-/* One round; what is finest in length comes last and takes what the others leave. */
+/* Runs one round; the finest in length comes last and takes the rest of the effort. */
 static hawser_status round_run(Certifier *z, CertifyRound *round, int n, Companion *const *wanted, hawser_error *err)
 {
     round->runs = n;
@@ -853,7 +855,7 @@ static hawser_status round_run(Certifier *z, CertifyRound *round, int n, Compani
     return companions_run(round, 1, wanted + n - 1, err);
 }
 
-/* Rounds until all figures hold, a run fails, or it would cost too much. */
+/* Runs rounds until all figures hold, a run fails, or the cost is too large. */
 static hawser_status rounds(Certifier *z, hawser_error *err)
 {
     CertifyRound round = {
@@ -873,7 +875,7 @@ static hawser_status rounds(Certifier *z, hawser_error *err)
         if (status) return status;
         for (int r = 0; r < n; ++r) figures_follow(&z->run[0].figures, &wanted[r]->figures);
         const int all = judge(z, next);
-        if (k > 0 && !is_known(z)) { /* a run failed: what the round before knew is better */
+        if (k > 0 && !is_known(z)) { /* a run failed: the result of the round before is better */
             judge(z, base);
             break;
         }
@@ -884,7 +886,7 @@ static hawser_status rounds(Certifier *z, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The runs' descriptions into the certificate. */
+/* Copies the runs' descriptions into the certificate. */
 static hawser_status describe_runs(Certifier *z, hawser_error *err)
 {
     hawser_certificate *const c = z->out;
@@ -900,7 +902,7 @@ static hawser_status describe_runs(Certifier *z, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The case's own run, and room for its figures. */
+/* Enters the case's own run, and allocates its figures. */
 static hawser_status begin(Certifier *z, hawser_sim *run, hawser_error *err)
 {
     const double end = hawser_sim_end_time(run);

@@ -1,4 +1,4 @@
-/* The validation suite as a document: what `hawser validate` prints. */
+/* The validation suite as a document, printed by `hawser validate`. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,14 +21,14 @@ static double expected(const void *row)
     return r->kind == AT_MOST ? 0 : r->expected;
 }
 
-/* Errors and tolerances are in per cent, or in the quantity's unit. */
+/* Returns the unit of errors and tolerances: per cent, or the quantity's unit. */
 static const char *error_unit(const void *row)
 {
     const ValidationRow *const r = row;
     return r->kind == WITHIN_SHARE ? "%" : r->unit;
 }
 
-/* Nothing is asked of the errors that a regression is made from. */
+/* Returns the verdict; none for the errors from which a regression is made. */
 static const char *verdict(const void *row)
 {
     const ValidationRow *const r = row;
@@ -49,7 +49,7 @@ static const Column quantity_column[] = {
     {.key = "source", .text = case_source, .label = "source"},
 };
 
-/* The table of the quantities is the one that CSV holds. */
+/* Writes the log; its table of quantities is also the CSV. */
 static hawser_status write_log(const ValidationLog *log, int ran, int outside, hawser_format format, char **text,
                                hawser_error *err)
 {
@@ -70,7 +70,7 @@ static hawser_status write_log(const ValidationLog *log, int ran, int outside, h
     return document_write(&doc, format, text, err);
 }
 
-/* A filter that fits nothing is a mistake of whoever gave it. */
+/* Rejects a filter that fits no case. */
 hawser_status hawser_validate(const hawser_validation *choice, hawser_format format, char **text, int *outside,
                               hawser_error *err)
 {
@@ -94,9 +94,9 @@ hawser_status hawser_validate(const hawser_validation *choice, hawser_format for
     return status;
 }
 
-/* What would be built from a case: what `hawser check` prints. */
+/* The scene that would be built from a case, printed by `hawser check`. */
 
-/* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
+/* Cable and rope piece by piece: segments and stiffness. */
 typedef struct PieceRow {
     ChainPieceDef piece;
     CableDef cable;
@@ -115,7 +115,7 @@ static const Column piece_column[] = {
     {COLUMN("GJ_N_m2", NUMBER, PieceRow, cable.gj), .label = "GJ, N m2", .decimals = -1},
 };
 
-/* The route piece by piece; the rise is from its start to its end. */
+/* The route piece by piece; the rise is from the start of a piece to its end. */
 typedef struct RouteRow {
     const char *name, *kind;
     double s, length, radius, angle, rise; /* m, m, m, deg, m */
@@ -157,7 +157,7 @@ static const Column surface_column[] = {
     {COLUMN("jam_ratio", NUMBER, SurfaceRow, jam_ratio), .label = "jam ratio", .decimals = 3},
 };
 
-/* How several cables lie in a duct. */
+/* Layout of several cables in a duct. */
 static const Column bundle_column[] = {
     {COLUMN("name", TEXT, hawser_bundle_duct, name), .label = "duct"},
     {COLUMN("layout", TEXT, hawser_bundle_duct, layout), .label = "lie as"},
@@ -174,7 +174,7 @@ static const Column bundle_column[] = {
 
 /* One of several chains. */
 typedef struct ChainRow {
-    const char *name, *pulled; /* pulled: by what */
+    const char *name, *pulled; /* pulled: name of the puller */
     int segments;
     double length, mass, diameter, y, z, lay, factor; /* m, kg, mm, mm, mm, m, 1 */
 } ChainRow;
@@ -192,8 +192,8 @@ static const Column chain_column[] = {
     {COLUMN("weight_factor", NUMBER, ChainRow, factor), .label = "weight factor", .decimals = 4},
 };
 
-/* What the case did not say itself. */
-/* Nothing of a layer that is not in the map, or of what is not read. */
+/* Assumptions: values that the case does not give itself. */
+/* Empty for a layer that is not in the map, and for parts that are not read. */
 static const Column drawn_column[] = {
     {COLUMN("layer", CHARS, DrawnDef, layer), .label = "layer"},
     {COLUMN("kind", CHARS, DrawnDef, kind), .label = "is"},
@@ -209,7 +209,7 @@ static const Column assumption_column[] = {
     {COLUMN("source", CHARS, hawser_assumption, source), .label = "from"},
 };
 
-/* A place that asks for short segments. */
+/* A place that requires short segments. */
 typedef struct MeshRow {
     char where[96];
     const char *cable;
@@ -224,7 +224,7 @@ static const Column mesh_column[] = {
     {COLUMN("error_pct", NUMBER, MeshRow, error), .label = "expected error, %", .decimals = 2},
 };
 
-/* Everything that is said, gathered from the definition and from a simulation that was built and not run. */
+/* All parts of the description, from the definition and from a simulation that was built and not run. */
 typedef struct Description {
     const SceneDef *def;
     hawser_summary summary;
@@ -234,19 +234,19 @@ typedef struct Description {
     RouteRow *leg;       /* [n_route] */
     SurfaceRow *surface; /* [n_surfaces] */
     Mesh mesh;
-    double wave; /* m, of the cable that is pushed (ME14); 0: none */
+    double wave; /* m, for the cable in compression (ME14); 0: none */
     int n_chains;
-    ChainRow chain[STRANDS_MAX]; /* [n_chains] of several; none of one */
-    MeshRow *demand;             /* [n_demands] places that ask for less than the usual length */
+    ChainRow chain[STRANDS_MAX]; /* [n_chains] for several; none for one */
+    MeshRow *demand;             /* [n_demands] places that require segments shorter than the usual length */
     int n_demands;
     PlausibleRow odd[PLAUSIBLE_ROWS]; /* [n_odd] */
     int n_odd;
-    char grades[480];  /* what bends to the side do to the route's grade, in words */
-    char advice[160];  /* what the lengths of the segments are worth, in words */
-    HeadForce largest; /* of a winch, at speed and from rest */
+    char grades[480];  /* effect of bends to the side on the route's grade, as text */
+    char advice[160];  /* accuracy from the lengths of the segments, as text */
+    HeadForce largest; /* force of a winch, at speed and from rest */
 } Description;
 
-/* What the places ask for, and whether they get it. */
+/* Fills in the segment lengths that places require, and those that they have. */
 static void fill_mesh(Description *d)
 {
     const SceneDef *const def = d->def;
@@ -273,7 +273,7 @@ static void fill_mesh(Description *d)
     }
 }
 
-/* Which bend to the side ends on another grade than it begins on. */
+/* Reports bends to the side whose grades at start and end differ. */
 static void fill_grades(Description *d)
 {
     double before, after;
@@ -311,7 +311,7 @@ static void fill_rows(Description *d)
     }
 }
 
-/* Kilograms and metres of the whole chain. */
+/* Sums kilograms and metres of the whole chain. */
 static void sum_chain(const SceneDef *def, double *mass, double *length)
 {
     *mass = *length = 0;
@@ -321,7 +321,7 @@ static void sum_chain(const SceneDef *def, double *mass, double *length)
     }
 }
 
-/* Whom a chain is pulled by. */
+/* Returns the name of a chain's puller. */
 static const char *puller_of(const SceneDef *first, const SceneDef *def)
 {
     const int rope = def->strand.joined;
@@ -349,7 +349,7 @@ static void fill_chains(Description *d)
     }
 }
 
-/* Keys carry their unit, so that JSON and CSV need no other place for it. */
+/* Writes all tables. Keys include their unit, so that JSON and CSV do not need another place for it. */
 static hawser_status write_description(Description *d, const char *title, hawser_format format, char **text,
                                        hawser_error *err)
 {
@@ -361,7 +361,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
     const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     double mass, length;
-    int worst, several = 0; /* chains but ropes; the measured time is of one */
+    int worst, several = 0; /* chains except ropes; the measured time is that of one */
     for (int k = 0; k < d->n_chains; ++k) several += !(k > 0 ? def->beside[k - 1].strand : def->strand).rope;
     sum_chain(def, &mass, &length);
     const CostCounts counts = cost_counts(def, s->planar);
@@ -421,14 +421,14 @@ static hawser_status write_description(Description *d, const char *title, hawser
     Table tables[sizeof all / sizeof *all];
     int n = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
-        if (k == 1 || k == 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
+        if (k == 1 || k == 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route are always shown */
     }
     const Document doc = {
         .title = title, .n_facts = sizeof facts / sizeof *facts, .n_tables = n, .fact = facts, .table = tables};
     return document_write(&doc, format, text, err);
 }
 
-/* The tables' rows, and what they need. */
+/* Fills the tables' rows, and the data that they need. */
 static hawser_status gather(Description *d, hawser_error *err)
 {
     const SceneDef *def = d->def;
@@ -455,7 +455,7 @@ static hawser_status gather(Description *d, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* What the headline of theory says: the largest force of any winch, pulled forward; NAN: theory cannot say. */
+/* Returns the force in theory's headline: the largest of any winch, pulled forward; NAN: theory has no answer. */
 static HeadForce largest_force(const Sim *sim)
 {
     const HeadForce unknown = {.force = NAN, .restart = NAN};
@@ -469,11 +469,11 @@ static HeadForce largest_force(const Sim *sim)
     return largest;
 }
 
-/* Segments of a chain that comes to rest within a second or so. */
+/* Segments of a chain that comes to rest within about a second. */
 enum { RESTS_SOON = 4000 };
 
-/* Whether the cable of a pull lies on its rollers before anything moves: what a run ends with at once. Errors: INPUT.
- */
+/* Checks that the cable of a pull lies on its rollers before anything moves; otherwise a run would end at once. Errors:
+ * INPUT. */
 static hawser_status lies_check(Sim *sim, hawser_error *err)
 {
     const Scene *const scene = &sim->stage.scene;
@@ -483,7 +483,7 @@ static hawser_status lies_check(Sim *sim, hawser_error *err)
     if (scene->contact.n_rollers == 0 || scene->total > RESTS_SOON || sim_chains(sim) > 1) return HAWSER_OK;
     hawser_error found;
     hawser_status status = hawser_sim_relax(sim, NULL, &found);
-    if (status == HAWSER_ERR_RUN) return HAWSER_OK; /* a run says that itself */
+    if (status == HAWSER_ERR_RUN) return HAWSER_OK; /* a run reports that itself */
     if (!status) sim_record_row(sim);
     if (!status) status = place_check(sim, &found);
     if (status) return error_set(err, status == HAWSER_ERR_RUN ? HAWSER_ERR_INPUT : status, "%s", found.message);
@@ -518,7 +518,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     return status;
 }
 
-/* Everything is freed again: a description leaves nothing behind in the case but what was read. */
+/* Frees everything again: the case keeps only the definition that was read. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     if (!c || !text) return error_argument(err, c ? "text" : "c");

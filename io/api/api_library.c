@@ -1,8 +1,7 @@
-/* An entry of a data sheet into a catalogue of one's own: what `hawser library add` does. The file stays as it is but
- * for the entry's lines, which the reader of catalogues and the reader of cases have both taken before anything is
- * written. */
+/* Adds an entry from a data sheet to the user's own catalogue, for `hawser library add`. The file changes only in the
+ * entry's lines, which the readers of catalogues and of cases have both accepted before anything is written. */
 #define _GNU_SOURCE /* open_memstream */
-/* The catalogue as a list: what `hawser library` prints. */
+/* The catalogue as a list, printed by `hawser library`. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -20,7 +19,7 @@
 
 enum { FIGURES_MAX = 240 };
 
-/* An entry in words. */
+/* An entry as text. */
 typedef struct EntryRow {
     const char *kind, *name, *mark, *note, *source;
     char figures[FIGURES_MAX], ranges[FIGURES_MAX], estimated[FIGURES_MAX];
@@ -37,7 +36,7 @@ static const Column entry_column[] = {
     {COLUMN("source", TEXT, EntryRow, source), .label = "source"},
 };
 
-/* Appends a part behind a comma; what does not fit is cut. */
+/* Appends a part behind a comma; text that does not fit is cut. */
 static void say(char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static void say(char *text, const char *format, ...)
@@ -51,7 +50,7 @@ static void say(char *text, const char *format, ...)
     va_end(args);
 }
 
-/* An entry's own values, those of maps within it too. */
+/* Writes an entry's own values, including those of maps within it. */
 static void figures_say(const CaseNode *map, char *text)
 {
     for (const CaseNode *child = map->first; child; child = child->next) {
@@ -69,7 +68,7 @@ static void ranges_say(const CaseNode *ranges, char *text)
     }
 }
 
-/* A number of an entry; 0 if it is not there or no such number. */
+/* Reads a number of an entry; 0 if it is missing or not such a number. */
 static double number_of(const Units *units, const CaseNode *node, Dimension dimension)
 {
     char why[UNITS_WHY_MAX];
@@ -78,7 +77,7 @@ static double number_of(const Units *units, const CaseNode *node, Dimension dime
     return read ? value : 0;
 }
 
-/* The rigidities that a case would get from a cable's or a rope's entry. */
+/* Writes the rigidities that a case would get from a cable's or a rope's entry. */
 static void estimates_say(const Units *units, const CaseNode *entry, char *text)
 {
     static const char *const metals[] = {"copper", "aluminium", NULL};
@@ -106,7 +105,7 @@ static EntryRow row_of(const Units *units, const LibraryEntry *e)
     return row;
 }
 
-/* The kinds that are asked for, a bit each; 0: there is no such kind. */
+/* Returns the requested kinds, a bit each; 0: there is no such kind. */
 static unsigned kinds_asked(const char *kind)
 {
     unsigned kinds = 0;
@@ -116,7 +115,7 @@ static unsigned kinds_asked(const char *kind)
     return kinds;
 }
 
-/* Kind by kind, each in the order of its files. */
+/* Lists kind by kind, each in the order of its files. */
 static hawser_status list_write(const Library *library, const Units *units, unsigned kinds, const char *pattern,
                                 hawser_format format, char **text, hawser_error *err)
 {
@@ -163,7 +162,7 @@ hawser_status hawser_library(const char *kind, const char *pattern, hawser_forma
     return status;
 }
 
-/* What is added, and where. */
+/* The new entry, and its file. */
 typedef struct Addition {
     const char *file, *name;
     LibraryKind kind;
@@ -188,7 +187,8 @@ static int has_key(const Addition *a, const char *key)
     return 0;
 }
 
-/* The values, a line each; without `all` not those that are about the entry. Words are quoted, the rest is YAML. */
+/* Writes the values, a line each; without `all` not those about the entry itself. Texts are quoted, the rest is YAML.
+ */
 static void values_write(const Addition *a, int all, int indent, FILE *to)
 {
     for (int i = 0; i < a->n; ++i) {
@@ -205,7 +205,7 @@ static void values_write(const Addition *a, int all, int indent, FILE *to)
     }
 }
 
-/* Names and keys that need no quotes in YAML, values of one line. */
+/* Checks that names and keys need no quotes in YAML, and that values have one line. */
 static hawser_status words_check(const Addition *a)
 {
     static const char also[] = "-_./+";
@@ -229,7 +229,7 @@ static hawser_status words_check(const Addition *a)
     return HAWSER_OK;
 }
 
-/* The least case that has the values: its reader knows the keys, the units and the ranges. */
+/* Reads the smallest case with the values, to check the keys, the units and the ranges. */
 static hawser_status values_check(const Addition *a)
 {
     static const char thin[] = "cables: {c: {d: 1 mm, mass: 1 g/m}}\n";
@@ -265,7 +265,8 @@ static hawser_status values_check(const Addition *a)
     return status;
 }
 
-/* Where the section of a kind ends, and its entries' indentation, -1 if it stands in brackets; NULL: there is none. */
+/* Returns the end of the section of a kind, and its entries' indentation, -1 if it stands in brackets; NULL: there is
+ * none. */
 static const char *section_end(const char *text, const char *kind, int *indent)
 {
     const size_t n = strlen(kind);
@@ -290,7 +291,7 @@ static const char *section_end(const char *text, const char *kind, int *indent)
     return end;
 }
 
-/* The file's text with the entry in it. */
+/* Makes the file's text with the entry in it. */
 static hawser_status text_with(const Addition *a, const char *old, char **text)
 {
     size_t size = 0;
@@ -312,7 +313,7 @@ static hawser_status text_with(const Addition *a, const char *old, char **text)
     return fclose(to) ? error_memory(a->err) : HAWSER_OK;
 }
 
-/* How many entries the text has as a file; `taken`: also whether the name is among those of its kind. */
+/* Counts the entries of the text as a file; `taken`: also checks whether the name is among those of its kind. */
 static hawser_status entries_count(const Addition *a, const char *text, int *n, int taken)
 {
     const unsigned lines = 1u << LIBRARY_CABLES | 1u << LIBRARY_ROPES, own = 1u << a->kind;
@@ -328,7 +329,7 @@ static hawser_status entries_count(const Addition *a, const char *text, int *n, 
     return status;
 }
 
-/* The file as it is; empty if there is none. */
+/* Reads the present file; empty if there is none. */
 static hawser_status file_old(const Addition *a, char **old)
 {
     size_t size = 0;

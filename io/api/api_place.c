@@ -1,5 +1,5 @@
-/* The list of equipment of a case for the people who set it up: what `hawser theory --crew` writes. Loads are those of
- * the pulling theory with the cable at the route's end, docs/model.md, "Placing". */
+/* The list of equipment of a case for the people who set it up, written by `hawser theory --crew`. Loads are those of
+ * theory with the cable at the route's end, docs/model.md, "Placing". */
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
@@ -35,20 +35,20 @@ typedef struct Crew {
     int way;
     int n;
     Placed *row;      /* [n] */
-    Support *support; /* [rollers] in the order of their stations, as rows will be */
+    Support *support; /* [rollers] in the order of their stations, as the rows */
 } Crew;
 
-/* rad; how far past its ends the route is followed to rollers by coordinates, m. */
+/* rad; distance past its ends up to which the route is followed to rollers by coordinates, m. */
 static const double DEGREE = 3.14159265358979323846 / 180, BEYOND = 10;
 
-/* A heading, deg; what rounding leaves of none is none. */
+/* Returns a heading, deg; one that rounds to none is none. */
 static double heading_of(double x, double y)
 {
     const double angle = atan2(y, x) / DEGREE;
     return fabs(angle) < 1e-9 ? 0 : angle;
 }
 
-/* The row of something that stands on the line itself. */
+/* Adds the row of something that stands on the line itself. */
 static Placed *line_row(Crew *c, const char *kind, const char *name, double s)
 {
     const RoutePoint at = route_at(c->setup->route, s);
@@ -60,8 +60,8 @@ static Placed *line_row(Crew *c, const char *kind, const char *name, double s)
     return row;
 }
 
-/* On which side of the line a roller stands: of the frame's four directions that which is nearest to the way from its
- * centre to the line at s. */
+/* Returns the side of the line on which a roller stands: the frame's direction that is nearest to the direction from
+ * its centre to the line at s. */
 static PlaceSide side_of(const Route *route, const RollerDef *roller, double s)
 {
     const RoutePoint at = route_at(route, s);
@@ -72,7 +72,7 @@ static PlaceSide side_of(const Route *route, const RollerDef *roller, double s)
     return aside < 0 ? PLACE_LEFT : PLACE_RIGHT;
 }
 
-/* One of the rollers with what it bears. The pull crosses level axes square, guides along the route. */
+/* Adds the row of a roller with its load. The pull crosses level axes at a right angle, guides along the route. */
 static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
 {
     static const char *const kinds[] = {"roller", "hold-down", "guide", "guide"};
@@ -90,7 +90,7 @@ static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
     row->margin = 100 * (1 - row->load / roller->rating);
 }
 
-/* Where each roller stands; those by coordinates at the nearest place. Returns how many there are. */
+/* Finds the station of each roller; of those by coordinates the nearest place. Returns how many there are. */
 static int rollers_find(const Crew *c, const RouteGrid *grid)
 {
     const SceneDef *const def = c->setup->def;
@@ -123,7 +123,7 @@ static hawser_status rollers_list(Crew *c, hawser_error *err)
     return status;
 }
 
-/* What is no roller: at the middle of machines, at the ends winch and reel. */
+/* Lists the other equipment: machines at their middles, winch and reel at the ends. */
 static void others_list(Crew *c)
 {
     const SceneDef *const def = c->setup->def;
@@ -175,7 +175,7 @@ hawser_status equipment_find(const Setup *setup, const Calculator *calculator, i
     return status;
 }
 
-/* Everything from a setup that was built. */
+/* Makes the list from a setup that was built. */
 static hawser_status list_make(const Setup *setup, const char *title, hawser_format format, char **text,
                                hawser_error *err)
 {
@@ -212,25 +212,25 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     return case_name_error(c, status, err);
 }
 
-/* Where machines or pits go so that all limits hold: what `hawser place` prints and writes. docs/guide. */
+/* Places for machines or pits with which all limits hold, printed and written by `hawser place`. docs/equipment.md. */
 
 /* (PN14) l/(m mm): lubricant for a metre of duct and a millimetre of its inside diameter, a film of 0.2 mm (American
  * Polywater, Technical Talk, volume XVII). */
 static const double LUBRICANT = 0.00073;
 
-/* The pull with one friction and one kind of help, as theory of the whole case says. */
+/* The pull with one friction and one kind of help, by theory of the whole case. */
 typedef struct PlaceRow {
     const char *friction;               /* "as given", "dry", "lubricated" */
-    double mu;                          /* of the ducts; NAN: the case's */
+    double mu;                          /* coefficient of the ducts; NAN: the case's */
     const char *help;                   /* "nothing", "machines", "pits" */
     double count;                       /* NAN: no number of them keeps the limits */
     char at[12 * INVERSE_MACHINES_MAX]; /* their places */
-    double force;                       /* N, of the winch, at most; NAN: nothing is proposed */
+    double force;                       /* N, largest force of the winch; NAN: nothing is proposed */
     hawser_word word;
-    const char *code; /* of the word; "-": nothing is proposed */
+    const char *code; /* code of the word; "-": nothing is proposed */
     char verdict[HAWSER_VERDICT_MAX];
     int n;
-    char *row[INVERSE_MACHINES_MAX]; /* [n] its items; owned */
+    char *row[INVERSE_MACHINES_MAX]; /* [n] items of its list; owned */
 } PlaceRow;
 
 static const Column place_column[] = {
@@ -262,13 +262,13 @@ typedef struct Placing {
 
 static int is_duct(const SurfaceDef *s) { return s->shape.kind == SURFACE_DUCT; }
 
-/* The length of a duct that lies along the route, m. */
+/* Returns the length of a duct that lies along the route, m. */
 static double length_along(const SurfaceDef *duct, double route)
 {
     return fmax(0, fmin(duct->shape.to, route) - fmax(duct->shape.from, 0));
 }
 
-/* (PN14), m3. */
+/* Returns the volume by (PN14), m3. */
 static double lubricant_of(const Setup *setup)
 {
     double litres = 0;
@@ -280,7 +280,7 @@ static double lubricant_of(const Setup *setup)
     return litres / 1000;
 }
 
-/* All ducts with the catalogue's friction of that name and state. */
+/* Makes the case with the catalogue's friction of that name and state in all ducts. */
 static hawser_status variant_make(Placing *p, const hawser_case *c, const char *state, hawser_case **out)
 {
     char key[64], value[160];
@@ -319,7 +319,7 @@ static double ducts_mu(const SceneDef *def)
 
 /* ------------------------------------------------------------------------------------------------- the proposals */
 
-/* An item of the list `theory.machines` or `theory.pits`. */
+/* Makes an item of the list `theory.machines` or `theory.pits`. */
 static char *item_of(int pits, double at, double force)
 {
     char text[96];
@@ -327,7 +327,7 @@ static char *item_of(int pits, double at, double force)
     return strdup(text);
 }
 
-/* The items that the case has already, as JSON without its brackets, and those of the row. */
+/* Sets the list to the case's own items, as JSON without its brackets, and those of the row. */
 static hawser_status list_set(Placing *p, hawser_case *c, const char *key, const PlaceRow *row)
 {
     char *old = NULL;
@@ -354,7 +354,7 @@ static hawser_status list_set(Placing *p, hawser_case *c, const char *key, const
     return status;
 }
 
-/* What the theory of the whole case says. */
+/* Judges a row by the theory of the whole case. */
 static hawser_status row_judge(Placing *p, hawser_case *c, PlaceRow *row)
 {
     static const char *const tables[] = {"limits", NULL};
@@ -396,7 +396,7 @@ static hawser_status row_place(Placing *p, const hawser_case *variant, const Sol
     return status;
 }
 
-/* Of one friction: without help, and with the machines or pits that it takes. */
+/* Makes the rows of one friction: without help, and with the machines or pits that are needed. */
 static hawser_status variant_place(Placing *p, int k)
 {
     static const char *const names[VARIANTS] = {"as given", "dry", "lubricated"};
@@ -427,7 +427,7 @@ static hawser_status variant_place(Placing *p, int k)
 
 /* ------------------------------------------------------------------------------------------------------ answer */
 
-/* Of the friction as given: SAFE before SAFE ONLY IF, then the fewest. */
+/* Chooses the best row of the friction as given: SAFE before SAFE ONLY IF, then the fewest. */
 static void best_choose(Placing *p)
 {
     for (int i = 0; i < p->n && p->row[i].friction == p->row->friction; ++i) {
@@ -478,7 +478,8 @@ static hawser_status page_write(const Placing *p, hawser_format format, char **t
 
 static int steps_of(const hawser_case *c) { return c->def->theory.n_machines + c->def->theory.n_pits; }
 
-/* The case's text with the best proposal, which is read again, with as many machines and pits, before it is written. */
+/* Writes the case's text with the best proposal, after reading it again and checking its number of machines and pits.
+ */
 static hawser_status case_write(Placing *p, const hawser_case *c)
 {
     char *old = NULL, *text = NULL;

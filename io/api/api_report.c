@@ -1,4 +1,4 @@
-/* Pages and figures of results: folders are read, and files are written. */
+/* Pages and figures of results: reads folders and writes files. */
 #include "core/error.h"
 #include "core/file.h"
 #include "hawser/hawser.h"
@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is
- * changed until locale_back. 0: no memory. */
+/* Switches this thread to a locale with a decimal point, whatever that of the calling program is, until locale_back. 0:
+ * no memory. */
 static locale_t locale_plain(locale_t *before)
 {
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
@@ -29,7 +29,7 @@ static void locale_back(locale_t plain, locale_t before)
     freelocale(plain);
 }
 
-/* The chains that are pulled together with a folder's, which are in folders of their names within it, behind it; as
+/* Reads the chains that are pulled together with a folder's, from the folders of their names within it, behind it; as
  * many as a page shows. *n: how many there are then. Errors: as folder_read. */
 static hawser_status chains_read(Folder *folder, size_t *n, char **dir, hawser_error *err)
 {
@@ -41,7 +41,7 @@ static hawser_status chains_read(Folder *folder, size_t *n, char **dir, hawser_e
     {
         const char *const name = json_string_value(json_object_get(chain, "name"));
         if (status || !name || strchr(name, '/') || *name == '.' || *n == REPORT_RUNS_MAX) continue;
-        int there; /* else its own, or that of all */
+        int there; /* otherwise its own, or the common one */
         dir[*n] = folder_path(&folder[0], name);
         if (!dir[*n]) return error_memory(err);
         status = folder_read_within(&folder[0], name, dir[*n], &folder[*n], &there, err);
@@ -104,7 +104,7 @@ hawser_status hawser_report_write(const char *const *folders, size_t n, const ch
     return status;
 }
 
-/* The number of a figure among all; FIGURES if there is none of that name. */
+/* Returns the number of a figure; FIGURES if none has that name. */
 static int figure_named(const char *name)
 {
     int k = 0;
@@ -112,7 +112,7 @@ static int figure_named(const char *name)
     return k;
 }
 
-/* One figure. *drawn counts it; results that hold nothing for it are an error if it was asked for. */
+/* Writes one figure and counts it in *drawn; results without data for it are an error if it was requested by name. */
 static hawser_status figure_write(const Folder *folder, const char *dir, const Figure *figure, hawser_units units,
                                   int wanted, int *drawn, hawser_error *err)
 {
@@ -133,7 +133,7 @@ static hawser_status figure_write(const Folder *folder, const char *dir, const F
     return status;
 }
 
-/* Before any is drawn: none of them is a file of the results. */
+/* Checks before drawing that no figure would overwrite a file of the results. */
 static hawser_status figures_spare(const Folder *folder, const char *dir, hawser_error *err)
 {
     char path[OUT_PATH_MAX];
@@ -185,7 +185,7 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
     return status;
 }
 
-/* The desk with a case's text in the place of its empty one. */
+/* Puts a case's text into the desk in place of the empty one. */
 static hawser_status desk_fill(const char *desk, const char *name, const char *text, const char *path,
                                hawser_error *err)
 {

@@ -1,4 +1,4 @@
-/* Routes out of files: what `hawser route` prints, places along them, and files of them. */
+/* Routes from files, printed by `hawser route`, places along them, and files of them. */
 #include "hawser/hawser.h"
 
 #include <jansson.h>
@@ -16,24 +16,24 @@
 #include "io/results/results_file.h"
 #include "survey/write.h"
 
-/* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
- * minutes to fit: they are used once asked for. Each line of JSON has what the whole file's ignored things are, but not
- * a million times. */
+/* A file with more lines than these is a whole drawing, of which not every line is meant as a route, and a line of more
+ * pieces takes minutes to fit: these are prepared only on request. Each line of JSON repeats the file's ignored parts,
+ * but not a million times. */
 enum { PLACES_LEAST = 400, PLACES_MOST = 20000, LEFT_MOST = 200000 }; /* of a page: points of a line, in grey */
 enum { USED_AT_ONCE = 32, IGNORED_WITH_EACH = 1000, PIECES_AT_ONCE = LINE_PIECES_MOST, DIGITS = 13 };
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
-/* What became of a line that somebody wants as a route. */
+/* A line prepared as a route. */
 typedef struct RouteUse {
     UsedLine line;        /* empty if there is a problem */
-    hawser_error problem; /* why it can be none; figures.problem is its text */
-    LineWay way;          /* which way it runs */
+    hawser_error problem; /* reason why it cannot be one; figures.problem is its text */
+    LineWay way;          /* its direction */
     int built;            /* route is filled */
     Route route;
 } RouteUse;
 
-/* A line of the file. A drawing has a million of them, of which few are ever used. */
+/* A line of the file. A drawing may have a million, of which few are ever used. */
 typedef struct RouteRow {
     hawser_route_figures figures;
     RouteUse *use; /* NULL: not tried yet */
@@ -55,7 +55,7 @@ hawser_route_options hawser_route_defaults(void)
 
 /* ------------------------------------------------------------------------------------------------------- reading */
 
-/* A copy of a text; *fine turns 0 without memory. */
+/* Returns a copy of a text; *fine becomes 0 without memory. */
 static char *keep(const char *text, int *fine)
 {
     char *const copy = text ? strdup(text) : NULL;
@@ -97,7 +97,7 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     return status;
 }
 
-/* Makes the line what will be built; what is wrong with it stays in its row. Errors: MEMORY. */
+/* Prepares the line as it will be built; a problem stays in its row. Errors: MEMORY. */
 static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
 {
     RouteRow *const row = &r->row[i];
@@ -110,7 +110,7 @@ static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
     use->way = line_way(own, r->options.reverse);
     hawser_status used = line_unit_check(&r->survey, own, &use->problem);
     if (!used) used = line_use(own, &r->options, &use->line, &use->problem);
-    if (used == HAWSER_ERR_MEMORY) { /* no fault of the line's: it may be tried again */
+    if (used == HAWSER_ERR_MEMORY) { /* not the line's fault: it may be tried again */
         free(use);
         row->use = NULL;
         return error_memory(err);
@@ -133,7 +133,7 @@ static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* What the file's line is before anything is made of it. */
+/* Fills in the file's own line before it is prepared. */
 static void row_begin(const hawser_routes *r, int i)
 {
     const Alignment *const a = &r->survey.alignment[i];
@@ -207,7 +207,7 @@ int hawser_routes_count(const hawser_routes *r) { return r ? r->survey.n : 0; }
 
 /* --------------------------------------------------------------------------------------------------------- bends */
 
-/* What an element is as a bend; 0: it is no arc. */
+/* Describes an element as a bend; 0: it is no arc. */
 static int bend_of(const PlanElement *e, double station, hawser_route_bend *bend)
 {
     if (e->k0 != e->k1 || e->k0 == 0) return 0;
@@ -216,7 +216,7 @@ static int bend_of(const PlanElement *e, double station, hawser_route_bend *bend
     return 1;
 }
 
-/* Corners in space that are built with one radius: their arcs, by stations along the line. */
+/* Lists the arcs of corners in space that are built with one radius, by stations along the line. */
 static int corners_list(const Alignment *a, double station, hawser_route_bend *bend)
 {
     int n = 0;
@@ -232,7 +232,7 @@ static int corners_list(const Alignment *a, double station, hawser_route_bend *b
     return n;
 }
 
-/* The arcs of a line that is used: their number, and they themselves if `bend` is not NULL. */
+/* Counts the arcs of a prepared line, and lists them if `bend` is not NULL. */
 static int bends_list(const RouteRow *row, hawser_route_bend *bend)
 {
     const Alignment *const a = row->use ? &row->use->line.line : NULL;
@@ -253,7 +253,7 @@ static json_t *json_number(double value) { return isfinite(value) ? json_real(va
 
 static json_t *json_place(const double at[3]) { return json_pack("[fff]", at[0], at[1], at[2]); }
 
-/* What was built; NULL, which fails wherever it is put, if there was no memory for a part of it. */
+/* Returns the finished value; NULL, which fails wherever it is put, if there was no memory for a part of it. */
 static json_t *json_whole(json_t *value, int bad)
 {
     if (!bad) return value;
@@ -263,7 +263,7 @@ static json_t *json_whole(json_t *value, int bad)
 
 static json_t *json_or_null(const char *text) { return text ? json_string(text) : json_null(); }
 
-/* "cant, 12 times": of the whole file. */
+/* Returns entries such as "cant, 12 times" for the whole file. */
 static json_t *json_ignored(const Survey *s)
 {
     json_t *const list = json_array();
@@ -319,14 +319,14 @@ static json_t *json_line(const hawser_routes *r, int i)
     return json_whole(o, bad);
 }
 
-/* Nothing where there was no memory for the words. */
+/* Adds nothing if there was no memory for the text. */
 static void grow(Growing *g, const char *more)
 {
     if (more) growing_add(g, more, strlen(more));
     g->bad |= !more;
 }
 
-/* The value, which is used up, on one line. */
+/* Adds the value, which is freed, on one line. */
 static void grow_json(Growing *g, const char *before, json_t *value)
 {
     char *const text = value ? json_dumped(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
@@ -336,7 +336,7 @@ static void grow_json(Growing *g, const char *before, json_t *value)
     json_decref(value);
 }
 
-/* A line of text for each of the file's lines, one by one: a tree of a million of them would take gigabytes. */
+/* Writes a line of text for each of the file's lines, one by one: a tree of a million of them would take gigabytes. */
 static hawser_status json_write(const hawser_routes *r, char **text, hawser_error *err)
 {
     const Survey *const s = &r->survey;
@@ -397,7 +397,7 @@ static const Column bend_column[] = {
     {COLUMN("radius_sd_m", NUMBER, BendRow, bend.radius_sd_m), .label = "+-, m", .decimals = 2},
 };
 
-/* The arcs of all fitted lines; *n of them. NULL: no memory. */
+/* Returns the arcs of all fitted lines, *n of them. NULL: no memory. */
 static BendRow *bend_rows(const hawser_routes *r, int *n)
 {
     int all = 0;
@@ -418,7 +418,7 @@ static BendRow *bend_rows(const hawser_routes *r, int *n)
     return NULL;
 }
 
-/* Which way a line runs, or what was recognised in it. */
+/* Direction of a line, or features that were recognised in it. */
 typedef struct FoundRow {
     const char *name;
     char text[LINE_WORDS_MAX + 40];
@@ -429,7 +429,7 @@ static const Column found_column[] = {
     {COLUMN("what", CHARS, FoundRow, text), .label = "which way, and what was recognised"},
 };
 
-/* Of lines that are used. *n of them. NULL: no memory. */
+/* Returns the rows of lines that are used, *n of them. NULL: no memory. */
 static FoundRow *found_rows(const hawser_routes *r, int *n)
 {
     int used = 0;
@@ -507,7 +507,7 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
 
 /* -------------------------------------------------------------------------------------------------- one of them */
 
-/* The row of line i, used. */
+/* Returns the row of line i, prepared. */
 static hawser_status row_find(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
 {
     if (i < 0 || i >= r->survey.n) return error_set(err, HAWSER_ERR_INPUT, "no line %d: there are %d", i, r->survey.n);
@@ -515,7 +515,7 @@ static hawser_status row_find(const hawser_routes *r, int i, RouteRow **row, haw
     return row_use(r, i, err);
 }
 
-/* The same of one that can be a route. */
+/* Does the same for one that can be a route. */
 static hawser_status row_good(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
 {
     const hawser_status status = row_find(r, i, row, err);
@@ -548,7 +548,7 @@ hawser_status hawser_routes_bends(const hawser_routes *r, int i, int *n, hawser_
 
 void hawser_route_bends_free(hawser_route_bend *bends) { free(bends); }
 
-/* Built where the line is, whatever its coordinates: a grain of 1e-9 m. */
+/* Builds the route in the line's own coordinates, however large: resolution 1e-9 m. */
 static hawser_status row_build(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
 {
     RouteLine line;
@@ -589,7 +589,7 @@ hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route
 
 /* --------------------------------------------------------------------------------------------------------- a page */
 
-/* Places along a line as it would be built, and the middles of its bends. Errors: MEMORY. */
+/* Fills places along a line as it would be built, and the middles of its bends. Errors: MEMORY. */
 static hawser_status page_line(const hawser_routes *r, int i, RoutePageLine *out, hawser_error *err)
 {
     RouteRow *row = &r->row[i];
@@ -642,10 +642,10 @@ static void left_add(RoutePage *page, double x, double y)
     page->left_y[page->n_left++] = y;
 }
 
-/* Lines of the file as they are in it, up to LEFT_MOST points, and its points. Errors: MEMORY. */
+/* Fills the file's own lines, up to LEFT_MOST points, and its points. Errors: MEMORY. */
 static hawser_status page_left(const Survey *s, RoutePage *page, hawser_error *err)
 {
-    enum { CHORDS = 40 }; /* of an element that is no straight */
+    enum { CHORDS = 40 }; /* for an element that is not straight */
     const size_t marks = (size_t)(s->n_marks < LEFT_MOST ? s->n_marks : LEFT_MOST);
     page->left_x = malloc((size_t)LEFT_MOST * sizeof(double));
     page->left_y = malloc((size_t)LEFT_MOST * sizeof(double));

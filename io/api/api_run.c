@@ -1,7 +1,7 @@
 /* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this
- * file looks whether a row, a state or a word to the caller is due. What is written is a state that the integrator
- * reached, not one between two: a row belongs to the first step that ends at its time or after, and no step is longer
- * than the time between rows. */
+ * file checks whether a row, a state or a progress report is due. Each written state was reached by the integrator, not
+ * interpolated: a row belongs to the first step that ends at its time or after, and no step is longer than the time
+ * between rows. */
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
@@ -23,36 +23,36 @@
 /* Wall time between two calls of the caller's progress function, s. */
 static const double progress_interval = 0.25;
 
-/* What holds a run up is asked every so often, s of wall time: if it would take an hour more at its present rate, or a
- * minute with steps that are a small share of those that it has made before. */
+/* The cause of short steps is searched at this interval, s of wall time, if the run would take an hour more at its
+ * present rate, or a minute with steps that are a small share of earlier ones. */
 static const double slow_interval = 2, slow_hours = 3600, slow_minutes = 60, slow_share = 1.0 / 30;
 
-/* Something that happens at 0, interval, 2 interval ... of simulated time; interval 0: never. */
+/* An action at 0, interval, 2 interval ... of simulated time; interval 0: never. */
 typedef struct Beat {
     double interval; /* s */
-    long count;      /* how often it happened */
+    long count;      /* how often it took place */
 } Beat;
 
 typedef struct Run {
     hawser_sim *s;
-    Results *results[STRANDS_MAX]; /* of each chain; the first NULL: nothing is written */
-    const OutDir *dir;             /* where they go */
+    Results *results[STRANDS_MAX]; /* one for each chain; the first NULL: nothing is written */
+    const OutDir *dir;             /* their folder */
     hawser_progress progress;      /* may be NULL */
     void *user;
     double started, last_progress; /* clock_now() */
     Beat row, state;
     double last_row, last_state;        /* simulated time, s */
-    double last_kept, kept_cost;        /* clock_now() of the last checkpoint, s; what it took, s */
-    const hawser_sample *look;          /* the simulation's, brought up to date by each look */
-    StallFrom slow_from;                /* where the present stretch of slow_interval began */
-    double slow_wall;                   /* clock_now() then; 0: none has */
-    char held_up[HAWSER_HOLD_MAX + 64]; /* "": nothing does */
+    double last_kept, kept_cost;        /* clock_now() of the last checkpoint, s; time that it took, s */
+    const hawser_sample *look;          /* the simulation's, updated by each sample */
+    StallFrom slow_from;                /* beginning of the present stretch of slow_interval */
+    double slow_wall;                   /* clock_now() then; 0: none has begun */
+    char held_up[HAWSER_HOLD_MAX + 64]; /* "": the run is not slow */
 } Run;
 
-/* Counted, not summed: the thousandth beat is not late by rounding. */
+/* Multiplies instead of summing, so that the thousandth beat is not late by rounding. */
 static double beat_next(const Beat *b) { return b->interval > 0 ? b->interval * (double)b->count : INFINITY; }
 
-/* Whether the beat is due at time t, up to rounding; counts it if so. */
+/* Checks whether the beat is due at time t, up to rounding; counts it if so. */
 static int beat_due(Beat *b, double t)
 {
     const double next = beat_next(b);
@@ -61,7 +61,7 @@ static int beat_due(Beat *b, double t)
     return 1;
 }
 
-/* Statistics with a row, and a state. */
+/* Writes a row with its statistics, and a state. */
 static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
 {
     Sim *sim = run->s;
@@ -82,7 +82,7 @@ static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
     return status;
 }
 
-/* What is due now. A state always has its row. */
+/* Writes rows and states that are due. A state always has its row. */
 static hawser_status write_due(Run *run, hawser_error *err)
 {
     const double t = hawser_sim_time(run->s);
@@ -91,10 +91,11 @@ static hawser_status write_due(Run *run, hawser_error *err)
     return row ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
-/* Checkpoints are as far apart as the case says, and farther where that would be most of a run's time. */
+/* Checkpoints are as far apart as the case requires, and farther where they would take more than this share of a run's
+ * time. */
 static const double KEPT_SHARE = 0.25;
 
-/* The run as it stands between two steps, whatever is written after it. */
+/* Saves the run between two steps, whatever is written after it. */
 static hawser_status keep_now(Run *run, hawser_error *err)
 {
     Checkpoint c = {0};
@@ -123,7 +124,7 @@ hawser_status pass_keep(hawser_sim *s, const OutDir *dir, hawser_error *err)
     return status;
 }
 
-/* Nothing that is known so early is worth keeping: a run of which no step has been made begins again. */
+/* Saves if due, but not before the first step: such a run begins again. */
 static hawser_status keep_due(Run *run, hawser_error *err)
 {
     const double interval = run->s->stage.scene.def.output.checkpoint;
@@ -131,25 +132,25 @@ static hawser_status keep_due(Run *run, hawser_error *err)
     return clock_now() - run->last_kept < fmax(interval, run->kept_cost / KEPT_SHARE) ? HAWSER_OK : keep_now(run, err);
 }
 
-/* A run that is stopped between two steps can be gone on with as one that is killed; where it cannot be kept, the stop
- * weighs more. */
+/* Saves a run that is stopped between two steps, so that it can be resumed as after a kill; if that fails, the stop is
+ * reported. */
 static void keep_last(Run *run)
 {
     hawser_error unused;
     if (run->results[0] && run->s->stage.scene.def.output.checkpoint > 0 && run->s->stage.t > 0) keep_now(run, &unused);
 }
 
-/* The state in which a run ends, so far as the beats have not just written it. */
+/* Writes the last state of a run, unless the beats have just written it. */
 static hawser_status write_last(Run *run, hawser_error *err)
 {
     const double t = hawser_sim_time(run->s);
-    if (run->s->stage.torn) return HAWSER_OK; /* there is nothing to be seen */
+    if (run->s->stage.torn) return HAWSER_OK; /* there is no valid state */
     const int row = t > run->last_row, state = run->state.interval > 0 && t > run->last_state;
     if (state && !row) hawser_sim_sample(run->s);
     return row || state ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
-/* Asks what holds the run up, if anything does. */
+/* Finds the cause of short steps, if there is one. */
 static void slow_look(Run *run, double wall)
 {
     Sim *const sim = run->s;
@@ -169,7 +170,7 @@ static void slow_look(Run *run, double wall)
     snprintf(run->held_up, sizeof run->held_up, "%s; at this rate it takes another %.3g h", hold.says, left / 3600);
 }
 
-/* Tells the caller every quarter of a second (or now); STOPPED if he wants no more. */
+/* Reports progress every quarter of a second (or now); STOPPED if the caller requests it. */
 static hawser_status tell_progress(Run *run, int now, hawser_error *err)
 {
     const double wall = clock_now();
@@ -184,8 +185,8 @@ static hawser_status tell_progress(Run *run, int now, hawser_error *err)
     return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", hawser_sim_time(sim)) : HAWSER_OK;
 }
 
-/* The same while nothing has a time yet, between the iterations of a relaxation or of a load step: the caller sees what
- * he saw last. */
+/* Does the same during a relaxation or a load step, when the time does not advance: the caller gets the last sample
+ * again. */
 static int ask_progress(void *user)
 {
     Run *const run = user;
@@ -195,7 +196,7 @@ static int ask_progress(void *user)
     return run->progress(run->user, run->look, wall - run->started, hawser_sim_end_time(run->s));
 }
 
-/* Only once, and only before anything has moved; the case may forbid it. */
+/* Relaxes only once, and only before anything has moved; the case may forbid it. */
 static hawser_status run_relaxation(Run *run, hawser_error *err)
 {
     hawser_sim *s = run->s;
@@ -203,28 +204,28 @@ static hawser_status run_relaxation(Run *run, hawser_error *err)
     return hawser_sim_relax(s, NULL, err);
 }
 
-/* From a state that has its row to the end of the case. */
+/* Runs from a state that has its row to the end of the case. */
 static hawser_status run_on(Run *run, hawser_error *err)
 {
     Sim *sim = run->s;
     hawser_status status = tell_progress(run, 1, err);
-    while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
+    while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may end the run earlier */
         sim->inside = 1;
         status = sim_blame_law(sim, sim_advance(sim, hawser_sim_end_time(sim), 1, err), err);
         sim->inside = 0;
         if (!status) status = write_due(run, err);
         if (!status) status = place_check(sim, err);
         if (!status) status = keep_due(run, err);
-        if (status) break; /* perhaps within a step: what is kept is from before it */
+        if (status) break; /* perhaps within a step: the checkpoint is from before it */
         status = tell_progress(run, 0, err);
         if (status == HAWSER_STOPPED) keep_last(run);
     }
-    /* the caller sees the end; there is nothing left to stop */
+    /* reports the end; nothing is left to stop */
     if (!status) tell_progress(run, 1, NULL);
     return status;
 }
 
-/* From the state of now. */
+/* Runs from the present state. */
 static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
 {
     Sim *sim = run->s;
@@ -238,8 +239,8 @@ static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
     return status;
 }
 
-/* Sizes, names and wishes for the results folder: `home`, or the folder `chain` within it. at: where the files of a run
- * that is resumed were; NULL: it is new. */
+/* Fills sizes, names and options of the results folder: `home`, or the folder `chain` within it. at: position of the
+ * files of a run that is resumed; NULL: it is new. */
 static hawser_status results_of(hawser_sim *s, Results **out, const OutDir *home, const char *chain,
                                 const ResultsPosition *at, hawser_error *err)
 {
@@ -274,7 +275,7 @@ static hawser_status results_of(hawser_sim *s, Results **out, const OutDir *home
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
-    if (!at) envelope_free(&s->envelope); /* of a run before */
+    if (!at) envelope_free(&s->envelope); /* from an earlier run */
     if (!status && !at && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) {
         status = at ? results_resume(out, home, chain, &def, at, summary, err)
@@ -286,7 +287,7 @@ static hawser_status results_of(hawser_sim *s, Results **out, const OutDir *home
     return status;
 }
 
-/* The first chain's in the folder itself, those of the others in folders of their names within. at [chains]: as
+/* Opens the first chain's in the folder itself, those of the others in folders of their names within. at [chains]: as
  * results_of. */
 static hawser_status open_results(Run *run, const OutDir *dir, const ResultsPosition *at, hawser_error *err)
 {
@@ -304,7 +305,7 @@ static hawser_status open_results(Run *run, const OutDir *dir, const ResultsPosi
 static ResultsTables tables_of(hawser_sim *s)
 {
     hawser_summary errors;
-    hawser_sim_summary(s, &errors); /* brings the tables' error bars up to date */
+    hawser_sim_summary(s, &errors); /* updates the error bounds of the tables */
     ResultsTables tables = {.segments = s->stage.scene.total, .envelope = s->envelope.present ? &s->envelope : NULL};
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
@@ -314,7 +315,7 @@ static ResultsTables tables_of(hawser_sim *s)
     return tables;
 }
 
-/* The tables, whatever the outcome. */
+/* Writes the tables, whatever the outcome. */
 static hawser_status finish_tables(Run *run, hawser_error *err)
 {
     hawser_status first = HAWSER_OK;
@@ -338,7 +339,7 @@ hawser_status pass_tell(hawser_sim *s, const OutDir *dir, hawser_error *err)
     return status;
 }
 
-/* After the tables: it says how they went, too. */
+/* Writes the summary after the tables, whose outcome it includes. */
 static hawser_status finish_summary(Run *run, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -351,7 +352,7 @@ static hawser_status finish_summary(Run *run, hawser_error *err)
     return status;
 }
 
-/* Beats that go on from time t (0 unless the caller has advanced before). */
+/* Starts beats that continue from time t (0 unless the caller has advanced before). */
 static void start_beats(Run *run, double t)
 {
     const OutputDef *output = &run->s->stage.scene.def.output;
@@ -363,8 +364,7 @@ static void start_beats(Run *run, double t)
     }
 }
 
-/* Why it ended, for the summary and the caller. A result that could not be written weighs more than a stop.
- */
+/* Stores the reason for the end, for the summary and the caller. A write error takes precedence over a stop. */
 hawser_status pass_settle(hawser_sim *s, hawser_status status, hawser_error *err)
 {
     for (int k = 0; k < sim_chains(s); ++k) {
@@ -376,7 +376,8 @@ hawser_status pass_settle(hawser_sim *s, hawser_status status, hawser_error *err
     return status;
 }
 
-/* What could not be written weighs more than a stop, which was the caller's wish, and less than what ended the run. */
+/* Combines the outcomes: a write error takes precedence over a stop, which the caller requested, but not over the error
+ * that ended the run. */
 static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status written, const hawser_error *late,
                            hawser_error *err)
 {
@@ -385,7 +386,7 @@ static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status wr
     return pass_settle(s, written, err);
 }
 
-/* Steps and tables: the tables are written whatever ended the steps. The first error counts. */
+/* Runs steps and tables: the tables are written whatever ended the steps. Returns the first error. */
 static hawser_status run_all(Run *run, int resumed, hawser_error *err)
 {
     hawser_sim *const s = run->s;
@@ -418,7 +419,7 @@ static Run run_new(hawser_sim *s, hawser_progress progress, void *user)
                  .look = hawser_sim_sample(s)};
 }
 
-/* Its beats begin at the state of now. */
+/* Begins its beats at the present state. */
 static void run_begin(Run *run)
 {
     for (int k = 0; k < sim_chains(run->s); ++k) {
@@ -438,7 +439,7 @@ hawser_status pass_run(hawser_sim *s, const OutDir *dir, hawser_progress progres
     return pass_settle(s, status, err);
 }
 
-/* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
+/* Loads the simulation first, so that the folder of a run that cannot be resumed is not touched. */
 hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress progress, void *user, int *over,
                           hawser_error *err)
 {
@@ -456,48 +457,45 @@ hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress prog
     return status ? pass_settle(s, status, err) : run_all(&run, 1, err);
 }
 
-/* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in
- * docs/reference/limits.md.
- */
+/* A whole run: one pass, and up to two more with finer settings where only numerical errors leave the verdict open.
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); docs/reference/limits.md has what users need. */
 
-/* Evaluations times segments, of which a pass takes about so many times as many as the one before (the median of 341
- * random pulls; 4.2 in 95 % of them). */
+/* Growth of evaluations times segments from one pass to the next (median of 341 random pulls; 4.2 in 95 % of them). */
 static const double GROWS = 3.1;
 
-/* Evaluations times segments of a pass that is begun unasked: some ten minutes. */
+/* Largest number of evaluations times segments of a pass that is begun without a request: some ten minutes. */
 static const double WORK_MOST = 1.5e9;
 
-/* Steps of a pass over those of the one before: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
+/* Steps of a pass over those of the one before: 1.7 in the median, 3.3 in 99 % of them; beyond that most passes fail.
  */
 enum { STEPS_MOST = 4 };
 
-/* ------------------------------------------------------------------------------------------ whether it is wanted */
+/* ------------------------------------------------------------------------------------------ conditions for a pass */
 
-/* Conditions that finer settings can meet. Those of books and damping need other settings than one level would bring.
- */
+/* Checks for a condition that finer settings can meet. Balances and damping need other settings than one level would
+ * bring. */
 static int is_numerical(const hawser_condition *c)
 {
     return c->kind == HAWSER_CONDITION_NUMERICAL_ERROR || c->kind == HAWSER_CONDITION_NUMERICAL_PEAK ||
            c->kind == HAWSER_CONDITION_MESH || c->kind == HAWSER_CONDITION_DECIDED;
 }
 
-/* Conditions on what a pass shows, which the mesh may have made: a segment that passes a support. A finer pass has to
- * meet them itself, so that its results must be those that are shown (docs/model.md, "Error bars"). */
+/* Checks for a condition on a result that the mesh may have caused: a segment that passes a support. A finer pass has
+ * to meet it itself, so that its results must be the shown ones (docs/model.md, "Error bars"). */
 static int is_shown(const hawser_condition *c)
 {
     return c->kind == HAWSER_CONDITION_STEADY || c->kind == HAWSER_CONDITION_PEAK ||
            c->kind == HAWSER_CONDITION_START_JOLT;
 }
 
-/* Whether so much of the bar alone, N, is more than the condition allows it to be. */
+/* Checks whether this part of the error bound alone, N, exceeds what the condition allows. */
 static int is_too_much(const hawser_condition *c, const hawser_error_bar *bar, double part)
 {
     return c->value * part > c->allowed * bar->total;
 }
 
-/* Whether the part of friction at rest alone, of which passes say nothing, is more than a bar may be; or what this pass
- * already differs by from a finer one. */
+/* Checks whether the part of friction at rest alone, which passes do not reduce, exceeds an allowed bound, or whether
+ * the difference of this pass from a finer one does. */
 static int is_beyond(const hawser_sim *s, const hawser_condition *c, const hawser_summary *sum)
 {
     const int mean = c->kind == HAWSER_CONDITION_NUMERICAL_ERROR, peak = c->kind == HAWSER_CONDITION_NUMERICAL_PEAK;
@@ -507,7 +505,7 @@ static int is_beyond(const hawser_sim *s, const hawser_condition *c, const hawse
            (s->others.finer && is_too_much(c, bar, other_passes_apart(&s->others, peak, sum)));
 }
 
-/* Whether a bend has a single pair of rollers on both sides of the cable, of which (ME12) says nothing. */
+/* Checks whether a bend has a single pair of rollers on both sides of the cable, which (ME12) does not cover. */
 static int has_single_pair(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
@@ -524,7 +522,7 @@ static int has_single_pair(const Scene *scene)
     return found;
 }
 
-/* What error bars are known to say too little of, in words; NULL: nothing of it is there. */
+/* Returns a cause for which error bounds are known to be too small, as text; NULL: there is none. */
 static const char *unseen(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
@@ -535,8 +533,8 @@ static const char *unseen(const Scene *scene)
     return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
 }
 
-/* The settings that a second pass makes finer, where the case itself gives them: with them its results would be those
- * of another case. */
+/* Checks for a setting of the case itself that a second pass would refine: its results would be those of another case.
+ */
 static int is_setting(const char *key, const char *value)
 {
     if (!strcmp(value, "auto")) return 0;
@@ -553,7 +551,7 @@ static int is_v_s(const char *key, const char *value)
     return n > 4 && !strcmp(key + n - 4, ".v_s");
 }
 
-/* The first key of that kind which the case or its catalogue gives; NULL: there is none. */
+/* Returns the first key of that kind which the case or its catalogue gives; NULL: there is none. */
 static const char *given(const SceneDef *def, int (*is_kind)(const char *key, const char *value))
 {
     const char *text = def->inputs;
@@ -566,8 +564,8 @@ static const char *given(const SceneDef *def, int (*is_kind)(const char *key, co
     return NULL;
 }
 
-/* The worst of the conditions that fail, if all that do are ones that a finer pass may settle; NULL: none fails, or
- * there is nothing to be gained: then *hopeless is 1. */
+/* Returns the worst failing condition, if a finer pass may settle all that fail; NULL: none fails, or a pass would not
+ * help: then *hopeless is 1. */
 static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summary *sum, int *hopeless)
 {
     const hawser_condition *worst = NULL;
@@ -582,8 +580,8 @@ static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summ
     return *hopeless ? NULL : worst;
 }
 
-/* Whether a second pass is wanted: such a condition is open, or there is what bars do not see; which, without its
- * remedy, into `why`. */
+/* Checks whether a second pass is needed: such a condition is open, or error bounds are too small; writes the reason,
+ * without its remedy, into `why`. */
 static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, char *why)
 {
     int hopeless;
@@ -600,7 +598,7 @@ static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, 
     return 1;
 }
 
-/* Whether the pass has met the conditions that a level of its settings does not change. */
+/* Checks that the pass has met the conditions that a level of its settings does not change. */
 static int is_sound(const hawser_summary *sum)
 {
     int sound = 1;
@@ -608,9 +606,9 @@ static int is_sound(const hawser_summary *sum)
     return sound;
 }
 
-/* ---------------------------------------------------------------------------------------------- what is said of it */
+/* ---------------------------------------------------------------------------------------------- reports of passes */
 
-/* What a pass found by itself: before it knows of another one. */
+/* Describes a pass's own results, before another one is known. */
 static void pass_describe(PassesSaid *said, const hawser_sim *s, const hawser_summary *sum, double friction)
 {
     said->peak_alone[s->pass] = sum->pull_peak_error.time + sum->pull_peak_error.mesh;
@@ -632,7 +630,7 @@ static void say_time(double seconds, size_t size, char *text)
     if (seconds >= 7200) snprintf(text, size, "%.2g hours", seconds / 3600);
 }
 
-/* "a, b and c" of a figure of every pass, at the offset `at` of hawser_pass: an int if `whole`. */
+/* Writes "a, b and c" for a figure of every pass, at the offset `at` of hawser_pass: an int if `whole`. */
 static void say_list(FILE *out, const hawser_passes *p, size_t at, int whole, const char *unit)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -646,7 +644,7 @@ static void say_list(FILE *out, const hawser_passes *p, size_t at, int whole, co
 
 static const char *const PASS[PASSES_MAX] = {"first", "second", "third"};
 
-/* Of all passes' figures, and whose those of the run are. Returns 0 without memory. */
+/* Describes the figures of all passes, and which of them are the run's. Returns 0 without memory. */
 static int say_all(hawser_passes *p, const char *own)
 {
     FILE *const out = fmemopen(p->says, sizeof p->says, "w");
@@ -668,7 +666,7 @@ static int say_all(hawser_passes *p, const char *own)
     return !fclose(out);
 }
 
-/* Puts a sentence behind what is said. */
+/* Appends a sentence to the report. */
 static void say_more(hawser_passes *p, const char *format, ...)
 {
     va_list values;
@@ -680,23 +678,23 @@ static void say_more(hawser_passes *p, const char *format, ...)
 
 /* -------------------------------------------------------------------------------------------------- finer passes */
 
-/* The passes of a run, each made from the one before. */
+/* The passes of a run, each built from the one before. */
 typedef struct Passes {
-    int n; /* that are over */
+    int n; /* passes that have ended */
     hawser_sim *sim[PASSES_MAX];
-    const char *own;    /* a setting that is the case's; NULL: none */
+    const char *own;    /* a setting that the case gives; NULL: none */
     int slower;         /* v_s is refined too */
-    const OutDir *home; /* the first one's folder; NULL: nothing is written */
-    int resumed;        /* what was begun is gone on with */
-    PassesSaid *says;   /* the first's */
+    const OutDir *home; /* folder of the first; NULL: nothing is written */
+    int resumed;        /* a pass that was begun is continued */
+    PassesSaid *says;   /* the first pass's */
     hawser_progress progress;
     void *user;
 } Passes;
 
-/* Whether what stops the run here can be gone on with. */
+/* Checks whether a run that is stopped here can be resumed. */
 static int is_kept(const Passes *z) { return z->home && z->sim[0]->plan->output.checkpoint > 0; }
 
-/* The folders of the others within the first one's. */
+/* Folders of the other passes within the first one's. */
 static const char *const FOLDER[PASSES_MAX] = {NULL, "second-pass", "third-pass"};
 
 static void folders_remove(const Passes *z)
@@ -704,7 +702,7 @@ static void folders_remove(const Passes *z)
     for (int k = 1; k < PASSES_MAX && z->home; ++k) results_remove(z->home, FOLDER[k]);
 }
 
-/* The next one, built from the definition of the last with finer settings. Errors: MEMORY, INPUT, RUN. */
+/* Builds the next pass from the definition of the last with finer settings. Errors: MEMORY, INPUT, RUN. */
 static hawser_status pass_build(Passes *z, hawser_error *err)
 {
     const hawser_sim *const last = z->sim[z->n - 1];
@@ -735,8 +733,8 @@ static hawser_status pass_build(Passes *z, hawser_error *err)
     return last->envelope.present ? envelope_new(&(*next)->envelope, &(*next)->stage.scene, err) : HAWSER_OK;
 }
 
-/* From its checkpoint, if the run that is gone on with has come so far, or from its beginning; what it needs to be
- * taken over is kept. Errors: as hawser_sim_run. */
+/* Runs a pass from its checkpoint, if the resumed run had come so far, or from its beginning; keeps what is needed to
+ * take it over. Errors: as hawser_sim_run. */
 static hawser_status pass_go(Passes *z, hawser_error *err)
 {
     hawser_sim *const s = z->sim[z->n];
@@ -752,7 +750,7 @@ static hawser_status pass_go(Passes *z, hawser_error *err)
     return status;
 }
 
-/* What pass `s` found, for the others' sake. Errors: MEMORY. */
+/* Takes the figures of pass `s`, for comparison with others. Errors: MEMORY. */
 static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_error *err)
 {
     hawser_summary sum;
@@ -760,7 +758,7 @@ static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_er
     return pass_figures_take(out, &s->stats, &sum, sim_jolt(s), err);
 }
 
-/* What pass `s` is to know of n others, the finest first; said: of all of them. Errors: MEMORY. */
+/* Gives pass `s` the figures of n others, the finest first; said: reports of all of them. Errors: MEMORY. */
 static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], const PassesSaid *said,
                                  hawser_error *err)
 {
@@ -781,8 +779,8 @@ static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[]
     return HAWSER_OK;
 }
 
-/* The figures of the pass that is over now, and what passes know of each other. It counts when all of that is known.
- * Errors: MEMORY. */
+/* Takes the figures of the pass that has just ended, and exchanges them among the passes. It counts only if that
+ * succeeds. Errors: MEMORY. */
 static hawser_status passes_take(Passes *z, hawser_error *err)
 {
     hawser_sim *const first = z->sim[0], *const last = z->sim[z->n];
@@ -805,11 +803,11 @@ static hawser_status passes_take(Passes *z, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Whose results are shown. */
+/* Returns the pass whose results are shown. */
 static hawser_sim *shown_of(const Passes *z) { return z->sim[z->own ? 0 : z->n - 1]; }
 
-/* Whether a pass after `last` would take too long to be begun unasked, and what it would take in words. By what was
- * computed, not by the clock: what a run says is the same on any machine. */
+/* Checks whether a pass after `last` would take too long to begin without a request, and writes its cost as text. It
+ * counts evaluations, not time: a run's report is the same on any machine. */
 static int is_too_long(const hawser_sim *last, PassesChoice asked, size_t size, char *about)
 {
     const hawser_sim *const s = last;
@@ -820,7 +818,7 @@ static int is_too_long(const hawser_sim *last, PassesChoice asked, size_t size, 
     return s->plan->solver.passes < asked && work > (s->work_most > 0 ? s->work_most : WORK_MOST);
 }
 
-/* Whether two passes have left open what a third may settle. */
+/* Checks whether two passes have left something open that a third may settle. */
 static int third_is_wanted(Passes *z)
 {
     hawser_sim *const shown = shown_of(z);
@@ -836,8 +834,8 @@ static int third_is_wanted(Passes *z)
     return 0;
 }
 
-/* The results of the last pass become those of the handle; the folder's, too. Its checkpoint goes last. Errors: OUTPUT,
- * MEMORY. */
+/* Makes the results of the last pass those of the handle and of the folder. Its checkpoint is removed last. Errors:
+ * OUTPUT, MEMORY. */
 static hawser_status passes_settle(Passes *z, hawser_error *err)
 {
     hawser_sim *const first = z->sim[0];
@@ -855,8 +853,8 @@ static hawser_status passes_settle(Passes *z, hawser_error *err)
     return status;
 }
 
-/* A pass that was not to be: the results of those before stand. What the caller stopped, and what there was no memory
- * or no disk for, is said to him: with more of either, or resumed, the run would have another answer. */
+/* Gives up a pass: the results of those before remain. A stop, and a lack of memory or disk, are reported to the
+ * caller: with more of either, or resumed, the run would have another answer. */
 static hawser_status passes_give_up(Passes *z, hawser_status status, const hawser_error *why, hawser_error *err)
 {
     hawser_passes *const said = &z->says->said;
@@ -869,7 +867,7 @@ static hawser_status passes_give_up(Passes *z, hawser_status status, const hawse
     if (status == HAWSER_ERR_OUTPUT)
         error_set(err, status, "%.700s; the results are those of the %s pass", why->message, stands);
     const int own = status == HAWSER_STOPPED || status == HAWSER_ERR_MEMORY || status == HAWSER_ERR_OUTPUT;
-    if (third && !waits) { /* two passes say what they have to */
+    if (third && !waits) { /* two passes are compared all the same */
         say_more(said, status == HAWSER_STOPPED ? "; a third one was stopped" : "; a third one failed: %.150s",
                  why->message);
         const hawser_status told = passes_settle(z, own ? NULL : err);
@@ -889,7 +887,7 @@ static hawser_status passes_give_up(Passes *z, hawser_status status, const hawse
     return own ? status : told;
 }
 
-/* Whether a second one is to be made, and what is said if it is open. Errors: MEMORY. */
+/* Decides whether a second pass is to be made, and the report if the verdict is open. Errors: MEMORY. */
 static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
 {
     char why[sizeof s->passes->said.why], about[32];
@@ -911,8 +909,8 @@ static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* After a first pass. resumed: that had ended when the run was stopped, and is as it was then. Errors: OUTPUT, MEMORY,
- * STOPPED. */
+/* Runs finer passes after a first. resumed: that had ended when the run was stopped, and is restored. Errors: OUTPUT,
+ * MEMORY, STOPPED. */
 static hawser_status finer_passes(hawser_sim *s, const OutDir *dir, int resumed, hawser_progress progress, void *user,
                                   hawser_error *err)
 {
@@ -924,8 +922,8 @@ static hawser_status finer_passes(hawser_sim *s, const OutDir *dir, int resumed,
     if (!wanted) return dir && s->passes ? pass_tell(s, dir, err) : HAWSER_OK;
     z.says = s->passes;
     z.own = given(s->plan, is_setting);
-    z.slower = z.own || !given(s->plan, is_v_s); /* in a pass that is only compared no law is another one */
-    if (!resumed) folders_remove(&z);            /* what an earlier run has left */
+    z.slower = z.own || !given(s->plan, is_v_s); /* a pass that is only compared may have another friction law */
+    if (!resumed) folders_remove(&z);            /* left by an earlier run */
     if (is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
     if (!status) {
         do {
@@ -939,23 +937,23 @@ static hawser_status finer_passes(hawser_sim *s, const OutDir *dir, int resumed,
     return status;
 }
 
-/* Whether all of the run is still to come: a simulation that its caller has moved is his, and not computed again. */
+/* Checks that all of the run is still to come: a simulation that the caller has advanced is not computed again. */
 static int is_whole(const hawser_sim *s)
 {
     return s->plan && !s->pass && !s->passes && !s->relaxed && !(hawser_sim_time(s) > 0);
 }
 
-/* What follows a pass that has ended, and the checkpoint of a run that there is nothing more to do for. */
+/* Continues after a pass that has ended, and removes the checkpoint of a finished run. */
 static hawser_status go_on(hawser_sim *s, const OutDir *dir, int whole, int over, hawser_status status,
                            hawser_progress progress, void *user, hawser_error *err)
 {
     if (!status && whole && !s->led) status = finer_passes(s, dir, over, progress, user, err);
     if (dir && (!status || status == HAWSER_ERR_RUN)) results_no_checkpoint(dir);
-    if (dir && !status) status = out_stays(dir, err); /* who looks there finds another folder */
+    if (dir && !status) status = out_stays(dir, err); /* the folder may have been exchanged meanwhile */
     return status;
 }
 
-/* Whether a run into `dir` writes over none of the files that the case was read from: in the folder, and in those of
+/* Checks that a run into `dir` overwrites none of the files that the case was read from: in the folder, and in those of
  * its passes and its chains within. Errors: INPUT. */
 static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *err)
 {
@@ -970,7 +968,7 @@ static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *
     return status;
 }
 
-/* Whether it can be told to move: INPUT if not. */
+/* Checks that it may be advanced: INPUT if not. */
 static hawser_status can_run(const hawser_sim *s, hawser_error *err)
 {
     team_settle(s->team);
@@ -978,7 +976,7 @@ static hawser_status can_run(const hawser_sim *s, hawser_error *err)
     return s->leader ? error_led(err) : HAWSER_OK;
 }
 
-/* The folder is one run's from its beginning to its end. */
+/* Keeps the folder for one run from its beginning to its end. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {.status = HAWSER_OK};

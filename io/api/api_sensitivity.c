@@ -1,5 +1,5 @@
-/* What the pulling calculation changes by if something is a little other than assumed: `hawser theory --sensitivities`.
- * docs/model.md, "Changes of a pull". */
+/* Changes of the pulling calculation by small changes of its input: `hawser theory --sensitivities`. docs/model.md,
+ * "Changes of a pull". */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,13 +9,13 @@
 #include "io/api/api_handles.h"
 #include "theory/plan.h"
 
-/* What may be other, in the unit of the case. */
+/* A cause of change, in the unit of the case. */
 typedef struct CauseRow {
     char name[96];
     const char *unit;
     double now;
     struct {
-        double slope, share; /* N by a unit; % of the force by 1 % of it */
+        double slope, share; /* N per unit; % of the force per 1 % of it */
     } way[PLAN_WAYS];
 } CauseRow;
 
@@ -31,7 +31,7 @@ static const Column cause_column[] = {
     {COLUMN("backward_share", NUMBER, CauseRow, way[PLAN_BACKWARD].share), .label = "% for 1 % more", .decimals = 3},
 };
 
-/* A place along the route, pulled forward: changes of the tension, and of the force on what carries the cable. */
+/* A place along the route, pulled forward: changes of the tension, and of the support force. */
 typedef struct PlaceRow {
     char name[96];
     double s, tension, reach;
@@ -85,7 +85,7 @@ static void changes_free(Changes *x)
     free(x->place);
 }
 
-/* What cause k is called and stands at; 0: it is not worth a row. */
+/* Fills in name and value of cause k; 0: it does not deserve a row. */
 static int cause_name(const Changes *x, int k, CauseRow *row)
 {
     const Calculator *const c = &x->calculator;
@@ -112,7 +112,7 @@ static int cause_name(const Changes *x, int k, CauseRow *row)
     return 1;
 }
 
-/* The share by which the force grows with a cause: of frictions that differ, all of them as a share of themselves. */
+/* Returns the relative growth of the force with a cause; different frictions grow in proportion. */
 static double share_of(const Changes *x, int way, int k, double now)
 {
     const Calculator *const c = &x->calculator;
@@ -150,7 +150,7 @@ static void place_fill(const Changes *x, const char *name, double s, double *ten
     }
 }
 
-/* The case's stations, then the ends of the route's pieces. */
+/* Fills the case's stations, then the ends of the route's pieces. */
 static hawser_status rows_fill(Changes *x, hawser_error *err)
 {
     const SceneDef *const def = x->setup.def;

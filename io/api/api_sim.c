@@ -1,5 +1,4 @@
-/* The calls of a simulation in which the interface checks something, or remembers how it went; the others are in
- * sim/run/sim.c. */
+/* Calls of a simulation that check arguments or keep their outcome; the others are in sim/run/sim.c. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -22,7 +21,7 @@
 #include "theory/closed_form.h"
 #include "theory/plan.h"
 
-/* What a second pass would be built from, where there may be one: of a pull in time. Returns 0 without memory. */
+/* Keeps the definition for a second pass, where there may be one: for a pull in time. Returns 0 without memory. */
 static int plan_keep(hawser_sim *s, const SceneDef *def)
 {
     const int pulled = def->winch.present && !def->rod.present && def->analysis.kind == ANALYSIS_DYNAMICS;
@@ -34,7 +33,7 @@ static int plan_keep(hawser_sim *s, const SceneDef *def)
     return 0;
 }
 
-/* What the results are called: of a chain among several its own name, too. Returns 0 without memory. */
+/* Sets the title of the results; for a chain among several it includes its own name. Returns 0 without memory. */
 static int name_give(hawser_sim *s, const hawser_case *c)
 {
     const StrandDef *const strand = &s->stage.scene.def.strand;
@@ -46,7 +45,7 @@ static int name_give(hawser_sim *s, const hawser_case *c)
     return s->case_name && s->title;
 }
 
-/* Options come from a program or a command line, so they are checked like a case. */
+/* Checks the options like a case: they come from a program or a command line. */
 hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
                                    hawser_error *err)
 {
@@ -68,7 +67,7 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     status = cost_check(c->def, err);
     if (!status) status = sim_new(c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
-    hawser_sim *const s = *out; /* the case may be gone soon */
+    hawser_sim *const s = *out; /* the case may be freed soon */
     if (s->team) team_pin(s->team, mine.pin);
     int named = 1;
     for (int k = 0; k < sim_chains(s); ++k) named &= name_give(sim_chain(s, k), c);
@@ -85,7 +84,7 @@ void hawser_sim_free(hawser_sim *s)
     sim_free(s);
 }
 
-/* Keeps the outcome of a call that computes, for the summary. */
+/* Keeps the outcome of a computing call, for the summary. */
 static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const hawser_error *err)
 {
     s->outcome = status;
@@ -120,7 +119,7 @@ hawser_sim *hawser_sim_chain(hawser_sim *s, int k)
 
 const char *hawser_sim_chain_name(const hawser_sim *s) { return s ? SHOWN(s)->stage.scene.def.strand.name : ""; }
 
-/* The statistics and the integrator start from here; later the state is theirs. */
+/* Relaxes before statistics and integrator start; later they own the state. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err)
 {
     hawser_error local;
@@ -141,7 +140,7 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
 
 static const double TIME_MOST = 1e9; /* s */
 
-/* The corners of the drive are never stepped over, whatever t is. */
+/* Never steps over the corners of the drive, whatever t is. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_error local;
@@ -160,7 +159,7 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
     return keep_outcome(s, status, e);
 }
 
-/* One word for the summary. */
+/* Returns one word for the summary. */
 static const char *outcome_name(const hawser_sim *s)
 {
     if (s->running) return "running";
@@ -178,7 +177,7 @@ int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
     return s->stage.scene.def.n_assumptions;
 }
 
-/* What would make the broken limits hold, each sentence once. Returns how many. */
+/* Finds remedies for the broken limits, each sentence once. Returns how many. */
 static int remedies_find(const hawser_sim *s, int n, const hawser_limit *limit, Remedy remedy[])
 {
     const Setup *const setup = &s->stage.scene.setup;
@@ -262,22 +261,22 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     return sim_summary_text(s, NULL, text, err);
 }
 
-/* Theory along the route, for route.csv: what the pull is compared with, at every place. The route full of cable is
- * pulled both ways, as `hawser theory` does; what the run itself is compared with is only known where its cable is. */
+/* Theory along the route, for route.csv: the reference of the pull at every place. The route full of cable is pulled
+ * both ways, as `hawser theory` does; the run's own reference is only known where its cable is. */
 
 enum { ROWS_LEAST = 50, ROWS_MOST = 1000 };
 
-/* Distance of two rows where there is room for it, m. */
+/* Distance of two rows where the number allows it, m. */
 static const double row_step = 0.25;
 
-/* The pulls that the rows are read from; zeroed ones are not there. */
+/* The pulls that the rows are read from; zeroed ones are missing. */
 typedef struct Along {
     Calculator calculator;
     Pull paper, run;
     int solved, with_paper, with_run;
 } Along;
 
-/* Theory that fails leaves its columns empty: the run has its own way to say what is wrong. Errors: MEMORY. */
+/* Leaves the columns of a failed theory empty: the run reports problems in its own way. Errors: MEMORY. */
 static hawser_status along_solve(const hawser_sim *s, Along *a, hawser_error *err)
 {
     const Setup *const setup = &s->stage.scene.setup;
@@ -305,7 +304,7 @@ static void along_clear(Along *a)
     calculator_free(&a->calculator);
 }
 
-/* The paper's tension: by its own formulas if the case lists them. */
+/* Returns the paper's tension: by its own formulas if the case lists them. */
 static double paper_at(const Scene *scene, const Along *a, double s)
 {
     const SceneDef *const def = &scene->def;
@@ -340,7 +339,8 @@ static AlongRow row_at(const hawser_sim *sim, const Along *a, double s)
     return row;
 }
 
-/* Even steps, and both sides of every joint of two pieces: tension has a corner there, and sidewall pressure a jump. */
+/* Fills even steps, and both sides of every joint of two pieces: tension has a corner there, and sidewall pressure a
+ * jump. */
 static void rows_fill(const hawser_sim *sim, const Along *a, int steps, AlongRow *rows, int *n)
 {
     const Route *const route = &sim->stage.scene.route;
@@ -388,7 +388,7 @@ hawser_status run_pieces(const hawser_sim *s, Calculator *c, PieceLine **rows, i
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
 }
 
-/* A close look at a simulation, for those who ask. */
+/* Detailed tables of a simulation, on request. */
 
 hawser_status hawser_sim_contacts(hawser_sim *s, const hawser_contact **out, int *n, hawser_error *err)
 {
@@ -451,7 +451,7 @@ hawser_status hawser_sim_geometry(hawser_sim *s, const hawser_geometry **out, ha
     return s->around ? HAWSER_OK : HAWSER_ERR_MEMORY;
 }
 
-/* Errors: INPUT. */
+/* Checks that there is a route. Errors: INPUT. */
 static hawser_status route_there(const hawser_sim *s, const void *out, hawser_error *err)
 {
     if (!s || !out) return error_argument(err, s ? "out" : "s");
@@ -479,9 +479,9 @@ hawser_status hawser_sim_route_at(const hawser_sim *s, double s_m, hawser_route_
     return HAWSER_OK;
 }
 
-/* Commands and call-backs: what is checked here is what only a program can get wrong. */
+/* Commands and call-backs: checks here errors that only a program can make. */
 
-/* A ramp of 0 is the usual one. */
+/* Returns the usual ramp for 0. */
 static double ramp_of(double ramp_s) { return ramp_s >= 0 && ramp_s <= 0 ? COMMAND_RAMP_USUAL : ramp_s; }
 
 hawser_status hawser_sim_control(hawser_sim *s, hawser_control what_to_do, const char *what, double value,
@@ -564,24 +564,24 @@ void hawser_sim_on_log(hawser_sim *s, hawser_log_level level, hawser_log_functio
     s->calls.log_level = level;
 }
 
-/* Checkpoints as files and as memory: around the state of a simulation, what it takes to recognise it.
- *
- * A file is a head of fixed size (what it is, its length, its hash) and a row of pieces: the program's version and
- * kernels, the case, and what follows from it, all of which are compared before anything is read; then, of a run with
- * results, how far these have come; then the simulation. */
+/* Checkpoints as files and as memory: the state of a simulation with the data that identify it. A file has a head of
+ * fixed size (format, length, hash) and a row of pieces: the program's version and kernels, the case, and values
+ * derived from it, all of which are compared before anything is read; then, for a run with results, their progress;
+ * then the simulation. */
 
 enum { FORMAT = 9 };
 
 typedef struct FileHead {
     char magic[16];
-    uint64_t format, size, hash; /* size, hash: of what follows */
+    uint64_t format, size, hash; /* size, hash: of the bytes behind the head */
 } FileHead;
 
 static const char magic[16] = "hawser restart\n";
 
-/* ------------------------------------------------------------------------------------------------- what it is of */
+/* ------------------------------------------------------------------------------------------------- identity */
 
-/* The case, key by key, as it is read: values and units. How often checkpoints are made is not asked. */
+/* Computes the identity of the case, key by key, as it is read: values and units. The interval of checkpoints is left
+ * out. */
 static uint64_t inputs_identity(const SceneDef *def)
 {
     uint64_t all = 0;
@@ -598,11 +598,11 @@ static uint64_t inputs_identity(const SceneDef *def)
     return all;
 }
 
-/* What stands in front. */
+/* The first pieces. */
 typedef struct Preface {
     const char *version, *kernels; /* of the program, of the machine */
-    uint64_t inputs, scene;        /* hashes of the case as read, of what was built from it */
-    const char *name, *folder;     /* of the case; NULL: it has no folder */
+    uint64_t inputs, scene;        /* hashes of the case as read, and of the scene built from it */
+    const char *name, *folder;     /* name and folder of the case; NULL: it has no folder */
     const char *text;              /* the case */
 } Preface;
 
@@ -638,7 +638,7 @@ static void preface_checkpoint(Checkpoint *c, Preface *p)
 
 static int differ(const char *a, const char *b) { return strcmp(a ? a : "", b ? b : "") != 0; }
 
-/* That of the file against that of the simulation which is to go on from it. */
+/* Compares the file's with that of the simulation that is to continue from it. */
 static hawser_status preface_compare(const Preface *file, const Preface *mine, const char *path, hawser_error *err)
 {
     if (differ(file->version, mine->version)) {
@@ -668,7 +668,7 @@ static hawser_status fault(const Checkpoint *c, const char *path, hawser_error *
     return error_set(err, HAWSER_ERR_INPUT, "'%.500s' cannot be read as a checkpoint: %s", path, c->fault);
 }
 
-/* All pieces, behind the head. */
+/* Writes all pieces, behind the head. */
 static hawser_status pieces_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err)
 {
     FileHead head = {.format = FORMAT};
@@ -684,7 +684,7 @@ static hawser_status pieces_write(hawser_sim *s, RunKept *run, Checkpoint *c, ha
     return status;
 }
 
-/* Counted first, so that memory is taken once. */
+/* Counts first, so that memory is allocated once. */
 hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err)
 {
     FileHead head;
@@ -704,7 +704,7 @@ hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawse
     return HAWSER_OK;
 }
 
-/* Whether the bytes are what was written; c is then behind the head. */
+/* Checks that the bytes are undamaged; c is then behind the head. */
 static hawser_status head_check(Checkpoint *c, const char *path, hawser_error *err)
 {
     FileHead head = {0};
@@ -721,7 +721,7 @@ static hawser_status head_check(Checkpoint *c, const char *path, hawser_error *e
     return HAWSER_OK;
 }
 
-/* Up to the simulation. */
+/* Reads up to the simulation. */
 static hawser_status preface_read(Checkpoint *c, const char *path, Preface *preface, int *kept, RunKept *run,
                                   hawser_error *err)
 {
@@ -751,7 +751,7 @@ hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes
     c.texts = &pool;
     status = sim_checkpoint(&c, s, err);
     checkpoint_end(&c);
-    text_pool_free(&s->texts); /* of a checkpoint before */
+    text_pool_free(&s->texts); /* from an earlier checkpoint */
     s->texts = pool;
     if (status) return status;
     return c.status ? fault(&c, path, err) : HAWSER_OK;
@@ -759,7 +759,7 @@ hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes
 
 /* ------------------------------------------------------------------------------------------------------- files */
 
-/* All of a file that is open, malloc'ed; fd < 0: errno says why it is not. */
+/* Reads all of an open file, malloc'ed; fd < 0: errno has the reason. */
 static hawser_status file_read(int fd, const char *path, void **bytes, size_t *size, hawser_error *err)
 {
     struct stat info;
@@ -782,7 +782,7 @@ static hawser_status file_read(int fd, const char *path, void **bytes, size_t *s
                      number ? file_reason(number) : "it has become shorter meanwhile");
 }
 
-/* The checkpoint of a folder. */
+/* Reads the checkpoint of a folder. */
 static hawser_status kept_read(OutSpot *spot, const OutDir *dir, void **bytes, size_t *size, hawser_error *err)
 {
     const hawser_status status = out_spot(spot, dir, CHECKPOINT_FILE, err);
@@ -801,8 +801,8 @@ hawser_status checkpoint_read_dir(hawser_sim *s, const OutDir *dir, RunKept *run
     return status;
 }
 
-/* A handle that speaks of a finer pass goes on from states of that; one of before that pass brings the first back, and
- * with it a time when nothing was known of another. */
+/* Loads a state into a handle: a handle with a finer pass continues from states of that pass; a state of an earlier
+ * pass restores that pass, and removes the comparison with others. */
 static hawser_status state_read(hawser_sim *handle, const char *path, const void *bytes, size_t size, hawser_error *err)
 {
     hawser_sim *s = SHOWN(handle);
@@ -848,7 +848,7 @@ hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t si
 
 void hawser_bytes_free(void *bytes) { free(bytes); }
 
-/* Beside its name, whatever folder that is in. */
+/* Writes beside its name, in the same folder. */
 hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err)
 {
     Checkpoint c;
@@ -884,7 +884,7 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
     return status;
 }
 
-/* The case's file is where it was, unless somebody has moved it. */
+/* Keeps the path of the case's file, which is there unless it was moved. */
 static hawser_status path_keep(CaseTree *tree, const char *name, hawser_error *err)
 {
     const char *const slash = strrchr(name, '/');
@@ -895,7 +895,7 @@ static hawser_status path_keep(CaseTree *tree, const char *name, hawser_error *e
     return HAWSER_OK;
 }
 
-/* The case that is in front. */
+/* Reads the case in the first pieces. */
 hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_error *err)
 {
     OutDir folder = {.at = -1};

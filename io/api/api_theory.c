@@ -1,4 +1,4 @@
-/* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
+/* The closed-form calculation of a case, printed by `hawser theory`. The formulas are in theory/. */
 #include "core/error.h"
 #include "io/api/api_handles.h"
 #include "theory/closed_form.h"
@@ -44,7 +44,7 @@ static const Column term_column[] = {
     {COLUMN("force_N", NUMBER, Term, force), .label = "N", .decimals = 2},
 };
 
-/* What a run of the case is compared with: the stretch of cable in the middle of its steady window. */
+/* Reference of a run of the case: the stretch of cable in the middle of its steady window. */
 typedef struct RunRow {
     double from, to, start, paper, reference; /* m, m, N, N, N */
 } RunRow;
@@ -58,12 +58,12 @@ static const Column run_column[] = {
 };
 
 typedef struct Theory {
-    SceneDef def;           /* of one among several chains: its own, which borrows from the case's, */
+    SceneDef def;           /* for one of several chains: its own, which borrows from the case's, */
     TheoryPlaceDef *places; /* its machines and pits, owned, */
-    double *rollers;        /* and what others press rollers with, owned */
+    double *rollers;        /* and the loads of others on rollers, owned */
     Setup setup;
     Expected expected;
-    double paper_total; /* N, of the whole route */
+    double paper_total; /* N, for the whole route */
     Pull paper;         /* without capstan effect */
     int n;              /* places */
     Place *place;       /* [n] */
@@ -75,14 +75,14 @@ typedef struct Theory {
     Term *term; /* [n_paper] */
 } Theory;
 
-/* By place; places that coincide keep no particular order. */
+/* Compares by place; places that coincide have no particular order. */
 static int compare_places(const void *a, const void *b)
 {
     const double x = ((const Place *)a)->s, y = ((const Place *)b)->s;
     return (x > y) - (x < y);
 }
 
-/* The stations and the piece ends in order; an end where a station lies is left out. */
+/* Collects the stations and the piece ends in order; an end at a station is omitted. */
 static void collect_places(Theory *t)
 {
     const SceneDef *def = t->setup.def;
@@ -103,7 +103,7 @@ static void collect_places(Theory *t)
     qsort(t->place, (size_t)t->n, sizeof *t->place, compare_places);
 }
 
-/* Sized for all stations and all piece ends. */
+/* Allocates for all stations and all piece ends. */
 static hawser_status make_arrays(Theory *t, hawser_error *err)
 {
     const size_t places = (size_t)(t->setup.def->n_stations + t->setup.route->n + 1);
@@ -112,8 +112,8 @@ static hawser_status make_arrays(Theory *t, hawser_error *err)
     return t->place && t->term ? HAWSER_OK : error_memory(err);
 }
 
-/* The paper's theory of the whole route: its own formulas if the case lists them, else the law without capstan effect
- * along the route. */
+/* Solves the paper's theory of the whole route: its own formulas if the case lists them, otherwise the law without
+ * capstan effect along the route. */
 static hawser_status solve_paper(Theory *t, hawser_error *err)
 {
     const SceneDef *def = t->setup.def;
@@ -130,7 +130,7 @@ static hawser_status solve_paper(Theory *t, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The run's own figures are those of its stretch, full of cable and pulled forward are the others. */
+/* Solves for the run's stretch and for the whole route, full of cable and pulled forward. */
 static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
 {
     hawser_status status = make_arrays(t, err);
@@ -151,7 +151,7 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     return theory_tables_make(&t->setup, &t->calculator, &t->inverse, &t->tables, err);
 }
 
-/* The whole route full of cable, pulled forward. */
+/* Fills the places of the whole route full of cable, pulled forward. */
 static void fill_places(Theory *t)
 {
     const SceneDef *def = t->setup.def;
@@ -168,7 +168,7 @@ static void fill_places(Theory *t)
     }
 }
 
-/* For people: of a long row of places that only say their metres every so many-th, all that have names. */
+/* Thins out a long list of places for readers: those without a name keep every n-th only. */
 static void few_places(Theory *t)
 {
     enum { MANY = 40 };
@@ -183,7 +183,7 @@ static void few_places(Theory *t)
     t->n = kept;
 }
 
-/* The terms of eq. 10 one by one, as the case names them. */
+/* Fills the terms of eq. 10 one by one, with the case's names. */
 static void fill_terms(Theory *t)
 {
     const SceneDef *def = t->setup.def;
@@ -195,8 +195,7 @@ static void fill_terms(Theory *t)
 
 enum { FACTS_MAX = 32 };
 
-/* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
- */
+/* Lists the main facts of the whole route full of cable, in the order of importance. Returns how many. */
 static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
 {
     const Calculator *c = &t->calculator;
@@ -243,7 +242,7 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     return n;
 }
 
-/* Of a calculation of one direction: the facts without those of the other and those that compare them. */
+/* Drops, for a calculation of one direction, the facts of the other and those that compare them. */
 static int drop_backward(int n, Fact fact[FACTS_MAX])
 {
     static const char *const keys[] = {"backward_total_N",
@@ -264,7 +263,7 @@ static int drop_backward(int n, Fact fact[FACTS_MAX])
     return kept;
 }
 
-/* The document with what it is made of, which must stay while it is used. */
+/* The document with its data, which must stay while it is used. */
 typedef struct Page {
     Document doc;
     Fact fact[FACTS_MAX];
@@ -285,8 +284,8 @@ static void verdicts_say(Theory *t, int ways)
     }
 }
 
-/* Facts first, the tension along the route, then the paper's own terms if the case lists them. `place` of the theory is
- * filled if it is shown. */
+/* Makes the page: facts first, the tension along the route, then the paper's own terms if the case lists them. Fills
+ * the theory's `place` if it is shown. */
 static void page_make(Theory *t, const char *title, int forward_only, Page *page)
 {
     const SceneDef *def = t->setup.def;
@@ -310,14 +309,14 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     if (forward_only) page->doc.n_facts = drop_backward(page->doc.n_facts, page->fact);
 }
 
-/* The name behind the next comma; NULL: there is none. */
+/* Returns the name behind the next comma; NULL: there is none. */
 static const char *name_next(const char *at)
 {
     const char *const comma = strchr(at, ',');
     return comma ? comma + 1 + strspn(comma + 1, " ") : NULL;
 }
 
-/* Whether a list of names with commas between has one. */
+/* Checks whether a list of names with commas between has one. */
 static int is_named(const char *list, const char *name)
 {
     const size_t n = strlen(name);
@@ -326,13 +325,12 @@ static int is_named(const char *list, const char *name)
     return 0;
 }
 
-/* All tables that a calculation may have, and what else may be asked for; one that this case has no rows for is left
- * out. */
+/* Names of all tables and of the other choices; a table without rows in this case is left out. */
 static const char table_names[] =
     "all, facts, pieces, directions, ducts, heads, sections, answers, machines, brakes, pushes, compression, assumed, "
     "remedies, notes, limits, trust, refused, stations, terms, run";
 
-/* The first name of the list that is no table's. */
+/* Rejects the first name of the list that is no table. */
 static hawser_status names_check(const char *list, hawser_error *err)
 {
     for (const char *at = list; at; at = name_next(at)) {
@@ -344,7 +342,7 @@ static hawser_status names_check(const char *list, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Leaves of the page what is wanted. */
+/* Keeps the requested tables of the page. */
 static hawser_status page_choose(Page *page, const char *list, int people, hawser_error *err)
 {
     const char *const wanted = list ? list : people ? "sections" : "all";
@@ -362,7 +360,7 @@ static hawser_status page_choose(Page *page, const char *list, int people, hawse
     return HAWSER_OK;
 }
 
-/* As text for people or programs. */
+/* Writes the text for readers or programs. */
 static hawser_status write_theory(Theory *t, const char *title, hawser_format format,
                                   const hawser_theory_options *options, char **text, hawser_error *err)
 {
@@ -379,7 +377,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     return status ? status : document_write(&page.doc, format, text, err);
 }
 
-/* As an object, as far as it is wanted. */
+/* Writes the requested tables as an object. */
 static hawser_status list_theory(Theory *t, const char *title, const TheoryWish *wish, json_t **out, hawser_error *err)
 {
     Page page;
@@ -391,8 +389,8 @@ static hawser_status list_theory(Theory *t, const char *title, const TheoryWish 
     return *out ? HAWSER_OK : error_memory(err);
 }
 
-/* Everything from a definition that was read and stays, in that company of other chains (NULL: none); the theory's
- * memory is the caller's to free. */
+/* Builds and solves everything from a definition that stays, together with other chains (NULL: none); the caller frees
+ * the theory's memory. */
 static hawser_status build_and_solve(Theory *t, const SceneDef *def, const Company *company, const TheoryWish *wish,
                                      hawser_error *err)
 {
@@ -403,7 +401,7 @@ static hawser_status build_and_solve(Theory *t, const SceneDef *def, const Compa
     return solve(t, wish, err);
 }
 
-/* Also for a theory that was never finished. */
+/* Also frees an unfinished theory. */
 static void theory_free(Theory *t)
 {
     if (!t) return;
@@ -419,8 +417,8 @@ static void theory_free(Theory *t)
     free(t);
 }
 
-/* Reads the case and solves it; *out is to be freed in any case. No simulation is built: this takes milliseconds even
- * for a long route. */
+/* Reads the case and solves it; *out is to be freed in any case. Builds no simulation: this takes milliseconds even for
+ * a long route. */
 static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory **out, hawser_error *err)
 {
     *out = NULL;
@@ -439,10 +437,10 @@ static const char *title_of(const hawser_case *c) { return c->def->title[0] ? c-
 
 /* ------------------------------------------------------------------------------------------------ several chains */
 
-/* What theory says of one of them, pulled forward. */
+/* Theory of one of several chains, pulled forward. */
 typedef struct ChainRow {
-    const char *name, *pulled;  /* pulled: by what */
-    double factor, pull, share; /* 1, N, 1: of all that are no rope */
+    const char *name, *pulled;  /* pulled: name of the puller */
+    double factor, pull, share; /* 1, N, 1: for all except ropes */
 } ChainRow;
 
 static const Column chain_column[] = {
@@ -472,7 +470,7 @@ static void chain_rows(const SceneDef *def, Theory *const t[], ChainRow row[])
         row[k].share = chain_def(def, k)->strand.rope || !(sum > 0) ? NAN : row[k].pull / sum;
 }
 
-/* The table of all as an object, with each one's own under its name in `theory`. */
+/* Writes the common table as an object, with each chain's own under its name in `theory`. */
 static hawser_status chains_json(const Document *all, int n, const ChainRow row[], char *const own[], char **text,
                                  hawser_error *err)
 {
@@ -486,12 +484,12 @@ static hawser_status chains_json(const Document *all, int n, const ChainRow row[
     return *text ? HAWSER_OK : error_memory(err);
 }
 
-/* For people: the table, and each one's own behind it, once where it is that of several. */
+/* Writes, for readers, the common table and each chain's own behind it; equal ones once. */
 static hawser_status chains_print(char *table, int n, const ChainRow row[], char *const own[], char **text,
                                   hawser_error *err)
 {
     size_t size = strlen(table) + 1;
-    const char *body[STRANDS_MAX]; /* behind the name */
+    const char *body[STRANDS_MAX]; /* the text behind the name */
     for (int k = 0; k < n; ++k) {
         size += strlen(own[k]) + 4;
         body[k] = own[k] + strlen(row[k].name);
@@ -512,7 +510,7 @@ static hawser_status chains_print(char *table, int n, const ChainRow row[], char
     return HAWSER_OK;
 }
 
-/* All of them solved: the table of all, alone as CSV, else with each one's own. */
+/* Writes all solved chains: the common table, alone as CSV, otherwise with each chain's own. */
 static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format,
                                   const hawser_theory_options *options, char **text, hawser_error *err)
 {
@@ -537,8 +535,8 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
     return status;
 }
 
-/* What stands along the way is there once: a machine and a feed push what lies beside each other with a part for each,
- * and no rope; the reel's, the rope's and the pits' allowances are the cables'. */
+/* Shares machines, feed and allowances: a machine and the feed push each cable with an equal part, and no rope; the
+ * allowances of reel, rope and pits apply to the cables only. */
 static hawser_status shared_set(const SceneDef *def, int rope, TheoryDef *out, TheoryPlaceDef **own, hawser_error *err)
 {
     int cables = 0;
@@ -558,7 +556,7 @@ static hawser_status shared_set(const SceneDef *def, int rope, TheoryDef *out, T
     return HAWSER_OK;
 }
 
-/* N, at the head, wherever that is. */
+/* Returns the smallest force, N, over all places of the head. */
 static double heads_least(const HeadSeries *heads)
 {
     double least = INFINITY;
@@ -566,8 +564,8 @@ static double heads_least(const HeadSeries *heads)
     return heads->n > 0 ? least : 0;
 }
 
-/* A rope bears what it draws beside its own (SC15): the sum, of friction on rope and cables apart, is no less than that
- * on all together. */
+/* Adds to a rope's own pull that of its cables (SC15): the sum, with friction of rope and cables separate, is at least
+ * that of all together. */
 static void drawn_set(const SceneDef *def, Theory *const t[], int rope, Company *out)
 {
     for (int k = 0; k <= def->n_beside; ++k) {
@@ -581,15 +579,15 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, Company 
     }
 }
 
-/* N, what several chains press rollers with, of one chain each way: those that it draws, and all others; [n_rollers]
- * each, two after two in one piece of memory. */
+/* Returns the loads of other chains on rollers, N, for one chain each way: of those that it pulls, and of all others;
+ * [n_rollers] each, pairs in one piece of memory. */
 static double *rollers_of(const SceneDef *def, double *all, int way, int others)
 {
     return all + (size_t)(2 * way + others) * (size_t)def->n_rollers;
 }
 
-/* Rollers bear all chains: adds to what chain `of` says of them what one does that is solved, beside it or drawn by it.
- * What a rope draws is said with the rope. */
+/* Adds the roller loads of one solved chain, beside this one or pulled by it: rollers carry all chains. A rope includes
+ * the loads of the cables that it pulls. */
 static hawser_status rollers_add(const SceneDef *def, const Theory *t, int others, double *all, hawser_error *err)
 {
     double *const load = malloc(((size_t)def->n_rollers + 1) * sizeof *load);
@@ -603,8 +601,8 @@ static hawser_status rollers_add(const SceneDef *def, const Theory *t, int other
     return HAWSER_OK;
 }
 
-/* The chain that is solved last, with which rollers are judged: the last rope, or where there is none the last cable.
- */
+/* Returns the chain that is solved last, with which rollers are judged: the last rope, or if there is none the last
+ * cable. */
 static int last_chain(const SceneDef *def)
 {
     int last = def->n_beside;
@@ -631,7 +629,7 @@ static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of,
     return status;
 }
 
-/* One of them, when what it draws is solved. */
+/* Solves one chain, after those that it pulls. */
 static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, hawser_error *err)
 {
     const TheoryWish wish = {0};
@@ -652,7 +650,7 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
 {
     Theory *t[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
-    for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
+    for (int ropes = 0; ropes < 2; ++ropes) { /* ropes come after the cables that they pull */
         for (int k = 0; !status && k <= c->def->n_beside; ++k)
             if ((chain_def(c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, err);
     }
@@ -691,7 +689,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     return hawser_case_theory_shown(c, format, &(hawser_theory_options){.tables = "all"}, text, NULL, err);
 }
 
-/* Tables of the page, in their order; the others stand behind "all values". */
+/* Tables of the page, in their order; the others are under "all values". */
 static const char *const page_tables[] = {"lines",    "sections", "limits",  "remedies", "answers",
                                           "machines", "brakes",   "assumed", "notes"};
 
@@ -702,7 +700,7 @@ static int is_on_page(const char *key)
     return found;
 }
 
-/* The document's tables as parts of a page: those that are shown, or the others behind the facts. */
+/* Writes the document's tables as parts of a page: the shown ones, or the others behind the facts. */
 static hawser_status page_part(const Page *page, int shown, hawser_units units, char **text, hawser_error *err)
 {
     Document part = page->doc;
@@ -778,7 +776,7 @@ static hawser_status crew_write(Theory *t, const hawser_case *c, int way, hawser
 typedef hawser_status (*BodyWrite)(Theory *t, const hawser_case *c, int way, hawser_units units, Text *out,
                                    hawser_error *err);
 
-/* One chain's theory as a part of a page, with decimal points whatever the locale. */
+/* Writes one chain's theory as a part of a page, with decimal points in any locale. */
 static hawser_status body_of(hawser_case *c, BodyWrite write, int way, hawser_units units, Text *out, hawser_word *word,
                              hawser_error *err)
 {

@@ -1,4 +1,4 @@
-/* A document's tables as a workbook that spreadsheets open. */
+/* A document's tables as a workbook for spreadsheet programs. */
 #include <jansson.h>
 #include <locale.h>
 #include <math.h>
@@ -16,10 +16,10 @@
 #include "io/results/results_file.h"
 
 /* Tables as a workbook (.xlsx): Office Open XML (ECMA-376, part 1, section 18) with a sheet for each table, its
- * columns' labels in a row that stays in view, numbers as numbers in SI units, texts as texts, so that no cell is a
- * formula. */
+ * columns' labels in a fixed first row, numbers as numbers in SI units, texts as texts, so that no cell is a formula.
+ */
 
-/* What libzip and its random numbers may take, bytes: they do not survive an allocation that fails. */
+/* Memory of libzip and its random numbers, bytes: they do not survive a failed allocation. */
 enum { ZIP_ROOM = 4 << 20 };
 
 #define MAIN "http://schemas.openxmlformats.org/"
@@ -28,7 +28,7 @@ static const char xml[] = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\
 
 static void plain_add(Growing *g, const char *text) { growing_add(g, text, strlen(text)); }
 
-/* A text of XML 1.0, which has no control characters. */
+/* Adds a text in XML 1.0, which has no control characters. */
 static void words_add(Growing *g, const char *words)
 {
     for (const char *at = words; *at; ++at) {
@@ -51,7 +51,7 @@ static void number_add(Growing *g, const char *before, double value, const char 
     plain_add(g, behind);
 }
 
-/* style 1: bold. */
+/* Adds a cell; style 1: bold. */
 static void cell_add(Growing *g, Cell cell, int style)
 {
     if (!cell.text && !isfinite(cell.value)) {
@@ -88,7 +88,7 @@ static void sheet_make(Growing *g, const Table *t)
     plain_add(g, "</sheetData></worksheet>\n");
 }
 
-/* The parts around the sheets: what the package holds, and the list of its sheets. */
+/* Makes the parts around the sheets: the content of the package, and the list of its sheets. */
 static void parts_make(const Document *doc, Growing *types, Growing *book, Growing *links)
 {
     char line[512];
@@ -138,8 +138,8 @@ static const char styles[] =
     "count=\"2\"><xf "
     "fontId=\"0\"/><xf fontId=\"1\" applyFont=\"1\"/></cellXfs></styleSheet>\n";
 
-/* Adds a part, whose bytes stay until the archive is closed; the same date in every archive. Returns whether it could.
- */
+/* Adds a part, whose bytes must stay until the archive is closed; every archive has the same date. Returns 0 if it
+ * fails. */
 static int part_add(zip_t *zip, const char *name, const char *bytes, size_t size)
 {
     static const time_t date = 631152000; /* 1990-01-01 */
@@ -149,7 +149,7 @@ static int part_add(zip_t *zip, const char *name, const char *bytes, size_t size
     return at >= 0 && !zip_file_set_mtime(zip, (zip_uint64_t)at, date, 0);
 }
 
-/* The archive's bytes, malloc'ed; NULL: no memory. */
+/* Returns the archive's bytes, malloc'ed; NULL: no memory. */
 static char *archive_bytes(zip_source_t *source, size_t *size)
 {
     char *bytes = NULL;
@@ -166,7 +166,7 @@ static char *archive_bytes(zip_source_t *source, size_t *size)
     return bytes;
 }
 
-/* [n_tables + 3] parts into an archive. */
+/* Puts [n_tables + 3] parts into an archive. */
 static char *archive_make(const Document *doc, const Growing *part, size_t *size)
 {
     char name[64];
@@ -197,7 +197,7 @@ static char *archive_make(const Document *doc, const Growing *part, size_t *size
     return bytes;
 }
 
-/* The bytes of the .xlsx file, malloc'ed. The keys of the tables are the names of the sheets. Errors: MEMORY. */
+/* Makes the bytes of the .xlsx file, malloc'ed. The keys of the tables are the names of the sheets. Errors: MEMORY. */
 static hawser_status workbook_make(const Document *doc, char **bytes, size_t *size, hawser_error *err)
 {
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
@@ -219,19 +219,19 @@ static hawser_status workbook_make(const Document *doc, char **bytes, size_t *si
     return *bytes ? HAWSER_OK : error_memory(err);
 }
 
-/* A job: many pulls, of which each is a case of its own or keys over what is common to all; calculated by theory in
- * both directions, with the reels on which their cables come and the bays between which they lie. docs/jobs.md. */
+/* A job: many pulls, each a case of its own or keys over common ones; calculated by theory in both directions, with the
+ * reels that carry their cables and the joint bays between them. docs/jobs.md. */
 
 enum { PULLS_MAX = 10000, REELS_MAX = 10000, SAID_MAX = 320, PATH_MOST = 1024 };
 
-/* One length of cable that a pull needs: a cable alone, each of several, or several that are twisted together. */
+/* One length of cable that a pull needs: a single cable, each of several, or several that are twisted together. */
 typedef struct Length {
-    const char *kind;      /* the case's */
+    const char *kind;      /* the case's name */
     double mass, diameter; /* kg/m, m */
     int count;
 } Length;
 
-/* A stretch that a winch pulls in one go, up to a pit or the end. */
+/* A stretch that a winch pulls without a break, up to a pit or the end. */
 typedef struct Section {
     char ends_at[NAME_MAX_LENGTH]; /* "": the end */
     double force, rest;            /* N */
@@ -239,42 +239,42 @@ typedef struct Section {
 
 enum { SECTIONS_MAX = 64 };
 
-/* One pull: what the file says of it, its case, and what theory says in the direction that is taken. */
+/* One pull: its entry in the file, its case, and theory in the chosen direction. */
 typedef struct JobPull {
     char name[NAME_MAX_LENGTH], from[NAME_MAX_LENGTH], to[NAME_MAX_LENGTH], on[NAME_MAX_LENGTH];
-    char path[PATH_MOST]; /* of its case; "": none */
+    char path[PATH_MOST]; /* file of its case; "": none */
     int wanted;           /* 0: the better direction; otherwise the way + 1 */
     hawser_case *c;       /* owned */
     int way;
     hawser_word word;
     double length, cable, mass, cables;      /* m, m of each length with the allowance, kg/m of all, 1 */
     double force, rest, other, margin, trip; /* N, N, N the other way, 1, N */
-    char limit[32], at[96], by[96];          /* of the least margin and its place; what sets the trip */
+    char limit[32], at[96], by[96]; /* the limit with the least margin and its place; source of the trip force */
     char kind[NAME_MAX_LENGTH], verdict[24]; /* the cable; the word, as it is printed */
-    char winch[NAME_MAX_LENGTH];             /* the bay of the winch */
-    char only_if[SAID_MAX];                  /* of SAFE ONLY IF: what it takes; "" */
+    char winch[NAME_MAX_LENGTH];             /* the joint bay of the winch */
+    char only_if[SAID_MAX];                  /* condition of SAFE ONLY IF; "" */
     char *reel;                              /* the reels, owned; NULL: none */
-    int without;                             /* lengths that fit no reel */
+    int without;                             /* number of lengths that fit no reel */
     int n_sections;
     Section section[SECTIONS_MAX];
     int n_lengths;
     Length need[BUNDLE_KINDS_MAX];
 } JobPull;
 
-/* A reel, and what is taken from it. */
+/* A reel, and the lengths that are taken from it. */
 typedef struct JobReel {
     char name[NAME_MAX_LENGTH];
-    double length, tare;           /* m of cable on it as delivered, kg without cable */
-    Length of;                     /* what is on it; kind NULL: nothing yet */
+    double length, tare;           /* m of cable on it when delivered, kg without cable */
+    Length of;                     /* cable on it; kind NULL: nothing yet */
     char *pulls;                   /* owned; NULL: none */
-    double used, left, mass, lift; /* m, m, kg of cable as delivered, N with it */
+    double used, left, mass, lift; /* m, m, kg of cable when delivered, N with it */
 } JobReel;
 
-/* A place where sections meet. */
+/* A joint bay, where sections meet. */
 typedef struct JobBay {
     char name[2 * NAME_MAX_LENGTH + 4];
     char *reels, *pulls; /* owned; NULL: none */
-    double force, trip;  /* N: the largest of the winches that stand there */
+    double force, trip;  /* N: largest of the winches that stand there */
 } JobBay;
 
 struct hawser_job {
@@ -327,8 +327,8 @@ static CaseNode *child_of(CaseNode *map, const char *key)
     return child;
 }
 
-/* Adds what `from` has and `map` has not: whole sections, and of sections that both have the keys; deeper down nothing
- * is mixed. depth: 0 here. Returns 0 without memory. */
+/* Adds the keys of `from` that `map` lacks: whole sections, and the keys of sections that both have; nothing is mixed
+ * deeper down. depth: 0 here. Returns 0 without memory. */
 static int missing_add(CaseNode *map, const CaseNode *from, int depth)
 {
     for (const CaseNode *child = from->first; child; child = child->next) {
@@ -355,7 +355,7 @@ static int is_pull_key(const char *key)
     return known;
 }
 
-/* Two maps from a pull's: the keys of the job, whose messages name the place in the list, and those of the case. */
+/* Splits a pull's map in two: the keys of the job, whose messages name the place in the list, and those of the case. */
 static int pull_split(const CaseNode *node, CaseNode **own, CaseNode **rest)
 {
     CaseNode *const part[] = { *own = node_new(NODE_MAP, node->origin, node->line),
@@ -374,7 +374,7 @@ static int pull_split(const CaseNode *node, CaseNode **own, CaseNode **rest)
     return 1;
 }
 
-/* Its own keys over those of its case, and both over what is common. Takes `keys`. */
+/* Makes the case: the pull's own keys override those of its case file, and both the common ones. Takes `keys`. */
 static hawser_status case_make(const hawser_job *job, const CaseNode *common, CaseNode *keys, JobPull *pull,
                                hawser_error *err)
 {
@@ -391,7 +391,7 @@ static hawser_status case_make(const hawser_job *job, const CaseNode *common, Ca
         tree->folder = strdup(at->folder);
         tree->path = strdup(at->path);
         int ok = tree->folder && tree->path && (!file || missing_add(tree->root, file->root, 0));
-        if (file) { /* the names that its nodes point at go with them */
+        if (file) { /* the names that its nodes point at move with them */
             tree->origins = file->origins;
             file->origins = NULL;
         }
@@ -428,7 +428,7 @@ static hawser_word word_at(const json_t *answer, int way)
     return (hawser_word)word;
 }
 
-/* From the best to the worst. */
+/* Returns the rank from the best to the worst. */
 static int rank_of(hawser_word word)
 {
     static const hawser_word order[] = {HAWSER_SAFE, HAWSER_SAFE_ONLY_IF, HAWSER_NOT_JUDGED, HAWSER_NOT_TRUSTED,
@@ -443,7 +443,7 @@ static double force_at(const json_t *answer, int way)
     return number_at(answer, way == PLAN_FORWARD ? "largest_force_N" : "backward_largest_force_N");
 }
 
-/* The better verdict, and of equal ones less force. */
+/* Returns the way with the better verdict, and among equals with less force. */
 static int better_way(const json_t *answer)
 {
     const int by = rank_of(word_at(answer, PLAN_FORWARD)) - rank_of(word_at(answer, PLAN_BACKWARD));
@@ -451,7 +451,7 @@ static int better_way(const json_t *answer)
     return force_at(answer, PLAN_BACKWARD) < force_at(answer, PLAN_FORWARD) ? PLAN_BACKWARD : PLAN_FORWARD;
 }
 
-/* The limit with the least margin in the direction that is taken. */
+/* Takes the limit with the least margin in the chosen direction. */
 static void least_take(const json_t *limits, JobPull *pull)
 {
     size_t i;
@@ -468,7 +468,7 @@ static void least_take(const json_t *limits, JobPull *pull)
     }
 }
 
-/* The stretches of the direction that is taken; without pits the whole is one. */
+/* Takes the stretches of the chosen direction; without pits the whole is one. */
 static void sections_take(const json_t *sections, JobPull *pull)
 {
     size_t i;
@@ -486,7 +486,7 @@ static void sections_take(const json_t *sections, JobPull *pull)
     *pull->section[pull->n_sections - 1].ends_at = 0;
 }
 
-/* Twisted cables come as one; of others each has a length of its own. */
+/* Takes the lengths: twisted cables are one; others have a length each. */
 static void lengths_take(const SceneDef *def, JobPull *pull)
 {
     const BundleDef *const b = &def->bundle;
@@ -522,7 +522,7 @@ static void answer_take(const hawser_job *job, const json_t *answer, JobPull *pu
     lengths_take(def, pull);
 }
 
-/* Up to what the pull is safe, of the verdict's words: sought for those pulls alone that need it. */
+/* Takes the bounds of a SAFE ONLY IF from the verdict's text: computed only for the pulls that need it. */
 static hawser_status bounds_take(JobPull *pull, hawser_error *err)
 {
     static const char *const tables[] = {"limits", NULL};
@@ -552,7 +552,7 @@ static hawser_status pull_calculate(const hawser_job *job, JobPull *pull, hawser
     return !status && pull->word == HAWSER_SAFE_ONLY_IF ? bounds_take(pull, err) : status;
 }
 
-/* Errors name the pull with its place, and the place in its case. */
+/* Reads a pull; errors name it with its place, and the place in its case. */
 static hawser_status pull_read(const CaseReader *r, const CaseNode *node, hawser_job *job, JobPull *pull)
 {
     CaseNode *own = NULL, *keys = NULL;
@@ -612,7 +612,8 @@ static int reel_take(JobReel *reel, JobPull *pull, const Length *need)
     return list_add(&reel->pulls, pull->name) && list_add(&pull->reel, reel->name);
 }
 
-/* The reel that a pull names, or else the one on which the least would be left; NULL: there is none with room. */
+/* Returns the reel that a pull names, or else the one with the least cable left afterwards; NULL: no reel has enough.
+ */
 static JobReel *reel_for(hawser_job *job, const JobPull *pull, const Length *need)
 {
     JobReel *best = NULL;
@@ -623,7 +624,7 @@ static JobReel *reel_for(hawser_job *job, const JobPull *pull, const Length *nee
     return best && reel_has_room(best, pull, need) ? best : NULL;
 }
 
-/* Each length of a pull. Returns 0 without memory. */
+/* Assigns a reel to each length of a pull. Returns 0 without memory. */
 static int lengths_place(hawser_job *job, JobPull *pull)
 {
     int ok = 1;
@@ -640,7 +641,7 @@ static int lengths_place(hawser_job *job, JobPull *pull)
 static int longer_first(const void *a, const void *b)
 {
     const JobPull *const first = *(JobPull *const *)a, *const second = *(JobPull *const *)b;
-    if (!*first->on != !*second->on) return *first->on ? -1 : 1; /* those that name theirs */
+    if (!*first->on != !*second->on) return *first->on ? -1 : 1; /* pulls that name theirs */
     if (first->cable > second->cable) return -1;
     return first->cable < second->cable ? 1 : first > second ? 1 : -1;
 }
@@ -655,8 +656,8 @@ static hawser_status named_check(const CaseReader *r, const hawser_job *job, int
                             ": no reel of 'reels' has this name");
 }
 
-/* The longest lengths first, each on the reel where it leaves the least (best fit decreasing): of several cables in one
- * pull each has a length of its own. */
+/* Assigns the longest lengths first, each to the reel with the least cable left afterwards (best fit decreasing): with
+ * several cables in one pull each has a length of its own. */
 static hawser_status reels_fill(const CaseReader *r, hawser_job *job)
 {
     JobPull **const order = calloc((size_t)job->n_pulls, sizeof *order);
@@ -691,7 +692,7 @@ static JobBay *bay_of(hawser_job *job, const char *name)
     return bay;
 }
 
-/* A winch of one stretch of a pull: at the pull's end, or in a pit on its way. Returns 0 without memory. */
+/* Adds the winch of one stretch of a pull: at the pull's end, or in a pit on its way. Returns 0 without memory. */
 static int winch_stand(hawser_job *job, const JobPull *pull, int k)
 {
     const Section *const one = &pull->section[k];
@@ -707,7 +708,7 @@ static int winch_stand(hawser_job *job, const JobPull *pull, int k)
     return list_add(&bay->pulls, pull->name);
 }
 
-/* Where a winch or a reel has to stand. */
+/* Fills the places where a winch or a reel must stand. */
 static hawser_status bays_fill(hawser_job *job, hawser_error *err)
 {
     size_t most = 0;
@@ -833,7 +834,7 @@ static const Column pull_column[] = {
     {.key = "reel", .kind = COLUMN_TEXT, .text = pull_reels, .label = "reel"},
 };
 
-/* What programs are to have beside it, the first of them people too where a pull has it. */
+/* Further columns for programs; the first of them also for readers where a pull has a value. */
 static const Column pull_more[] = {
     {COLUMN("only_if", CHARS, JobPull, only_if), .label = "safe only if", .group = 1},
     {.key = "verdict_code", .kind = COLUMN_TEXT, .text = code_text},
@@ -867,7 +868,7 @@ static const Column bay_column[] = {
     {COLUMN("trip_N", NUMBER, JobBay, trip), .label = "trip, largest, N", .decimals = 0},
 };
 
-/* The job's tables; shown: for people, without what programs alone need. */
+/* The job's tables; shown: for readers, without those for programs alone. */
 typedef struct JobDocument {
     Document doc;
     Fact fact[8];
@@ -884,7 +885,7 @@ static hawser_word worst_word(const hawser_job *job)
     return worst;
 }
 
-/* "12 pulls: 10 SAFE, 2 NOT SAFE". */
+/* Writes "12 pulls: 10 SAFE, 2 NOT SAFE". */
 static void answer_make(const hawser_job *job, char text[SAID_MAX])
 {
     int used = snprintf(text, SAID_MAX, "%d %s:", job->n_pulls, job->n_pulls == 1 ? "pull" : "pulls"), before = 0;
@@ -950,7 +951,7 @@ hawser_status hawser_job_answer(const hawser_job *job, hawser_format format, cha
     return document_write(&d.doc, format, text, err);
 }
 
-/* No file that the job is read from is written over. */
+/* Checks that no file that the job is read from is overwritten. */
 static hawser_status path_check(const hawser_job *job, const char *path, hawser_error *err)
 {
     FileMarks own = {0};

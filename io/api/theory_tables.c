@@ -1,4 +1,4 @@
-/* The calculator's results and the planner's answers as tables of a document: what `hawser theory` prints beside the
+/* The calculator's results and the planner's answers as tables of a document, printed by `hawser theory` besides the
  * stations. */
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ static void *table_add(TheoryTables *t, const char *key, const char *heading, Co
     return rows;
 }
 
-/* Leaves of the last table its first n rows; without any it is none. 0: there was no memory for it. */
+/* Keeps the first n rows of the last table; an empty table is removed. 0: there was no memory for it. */
 static int table_keep(TheoryTables *t, int n)
 {
     if (!t->rows[t->n - 1]) return 0;
@@ -63,7 +63,7 @@ static const Column piece_column[] = {
 };
 static const Columns piece_columns = COLUMNS(PieceRow, piece_column);
 
-/* The smaller of the margins to the allowable pull and sidewall pressure, %; NAN where neither is judged. */
+/* Returns the smaller of the margins to the allowable pull and sidewall pressure, %; NAN where neither is judged. */
 static double margin_of(const Calculator *c, int way, const PlanPiece *piece)
 {
     double least = NAN;
@@ -147,7 +147,7 @@ static const Column refused_column[] = {
 };
 static const Columns refused_columns = COLUMNS(RefusedRow, refused_column);
 
-/* Where a closed form does not hold, and why: the integrated law stands there alone. */
+/* Lists where a closed form does not hold, and why: only the integrated law applies there. */
 static int refused_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const int all = PLAN_WAYS * c->plan.n;
@@ -237,12 +237,12 @@ static const Column compressed_column[] = {
 };
 static const Columns compressed_columns = COLUMNS(CompressedRow, compressed_column);
 
-/* Where the cable is pushed, either way. */
+/* Lists where the cable is in compression, either way. */
 static int compressed_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     Buckling *found[PLAN_WAYS] = {NULL};
     int n[PLAN_WAYS] = {0}, fine = 1;
-    for (int k = 0; k < PLAN_WAYS; ++k) /* what its friction says is in the pull; without a machine it runs away */
+    for (int k = 0; k < PLAN_WAYS; ++k) /* without a machine its friction is in the pull: it runs away */
         fine &= !buckling_find(setup, c->route, &c->plan.way[k].pull, &n[k], &found[k], NULL);
     if (fine && n[0] + n[1] > 0) {
         CompressedRow *row = table_add(t, "compression", "Where the cable is pushed", compressed_columns, n[0] + n[1]);
@@ -302,7 +302,7 @@ static const Column section_column[] = {
 };
 static const Columns section_columns = COLUMNS(SectionRow, section_column);
 
-/* The largest tension of the cable between two places. */
+/* Returns the largest tension of the cable between two places. */
 static double largest_between(const Pull *pull, double a, double b)
 {
     double largest = -INFINITY;
@@ -313,7 +313,7 @@ static double largest_between(const Pull *pull, double a, double b)
     return largest;
 }
 
-/* Only where the pull goes by sections. The head's places hold every pit. */
+/* Adds a table only where the pull goes by sections. The head's places include every pit. */
 static int sections_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const TheoryDef *const theory = &setup->def->theory;
@@ -363,7 +363,7 @@ static const Column brake_column[] = {
 };
 static const Columns brake_columns = COLUMNS(BrakeRow, brake_column);
 
-/* Only where the cable would run away. */
+/* Adds a table only where the cable would run away. */
 static int brakes_add(const Calculator *c, TheoryTables *t)
 {
     int n = 0;
@@ -375,7 +375,7 @@ static int brakes_add(const Calculator *c, TheoryTables *t)
     return table_keep(t, n);
 }
 
-/* -------------------------------------------------------------------------------- what would still hold */
+/* -------------------------------------------------------------------------------- bounds that still hold */
 
 enum { RESULT_MAX = 96 + INVERSE_STAYS_MAX };
 
@@ -398,7 +398,7 @@ static const Column answer_column[] = {
 };
 static const Columns answer_columns = COLUMNS(AnswerRow, answer_column);
 
-/* In words: how far from now, or why there is no number, and what stays broken all the same. */
+/* Writes the distance from the present value, or why there is no number, and what stays broken in any case. */
 static void result_say(const InverseAnswer *a, char result[RESULT_MAX])
 {
     char text[88] = "none: it would not help";
@@ -456,7 +456,7 @@ static const Column machine_column[] = {
 };
 static const Columns machine_columns = COLUMNS(MachineRow, machine_column);
 
-/* Where they stand. */
+/* Lists the machines' places. */
 static int machines_add(const Inverse *inverse, TheoryTables *t)
 {
     int n = 0;
@@ -481,7 +481,7 @@ static int answers_add(const Setup *setup, const Inverse *inverse, TheoryTables 
     return table_keep(t, n) && (!inverse->asked || machines_add(inverse, t));
 }
 
-/* ----------------------------------------------------------------------------------------------- what is assumed */
+/* ----------------------------------------------------------------------------------------------- assumptions */
 
 static int assumed_add(const Setup *setup, TheoryTables *t)
 {
@@ -489,7 +489,7 @@ static int assumed_add(const Setup *setup, TheoryTables *t)
     return table_keep(t, row ? assumed_list(setup, row) : 0);
 }
 
-/* --------------------------------------------------------------------------------------------- what would do */
+/* --------------------------------------------------------------------------------------------- remedies */
 
 /* One change of a remedy: all of a direction's belong together and were computed as one. */
 typedef struct RemedyRow {
@@ -541,7 +541,8 @@ static RemedyRow remedy_row(const Mend *m, const char *what, double now, double 
                        .value = value};
 }
 
-/* Of each section that gives one, in motion and, where that is given apart, from rest. Returns how many. */
+/* Lists the friction of each section that gives one, moving and, where that is given separately, at rest. Returns how
+ * many. */
 static int friction_rows(const Setup *setup, const Mend *m, RemedyRow *row)
 {
     FrictionUsed used[FRICTIONS_MAX];
@@ -600,7 +601,7 @@ static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
 static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/reference/limits.md, "Cold" */
 
-/* What of a file is not in the route, if there is something. 1: a note. */
+/* Writes the parts of a file that are not in the route, if there are any. 1: a note. */
 static int unread_say(const SceneDef *def, char *text, size_t room)
 {
     const hawser_assumption *first = NULL;
@@ -616,7 +617,7 @@ static int unread_say(const SceneDef *def, char *text, size_t room)
     return 1;
 }
 
-/* What the calculation leaves to the planner. */
+/* Adds notes on what the calculation leaves to the planner. */
 static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const TheoryDef *const theory = &setup->def->theory;
@@ -702,7 +703,7 @@ int theory_limits_add(const Calculator *c, int ways, TheoryTables *t)
     return row != NULL;
 }
 
-/* A condition under which theory is worth judging. */
+/* A condition of trust of theory. */
 typedef struct TrustRow {
     const char *direction;
     hawser_condition held;
@@ -728,7 +729,7 @@ void theory_conditions(const Calculator *c, int way, hawser_condition held[THEOR
     held[CALCULATOR_KNOWN + 1] = c->limp[way];
 }
 
-/* A remedy says what is wrong: of one that holds there is none. */
+/* Adds the conditions; the remedy of one that holds is empty. */
 static int trust_add(const Calculator *c, TheoryTables *t)
 {
     TrustRow *const row =
@@ -764,10 +765,9 @@ void theory_tables_free(TheoryTables *t)
     t->n = 0;
 }
 
-/* -------------------------------------------------------------------------- the route piece by piece, as a page has it
- */
+/* -------------------------------------------------------------------------- the route piece by piece, as on a page */
 
-/* Which way a piece turns, by its middle; "" for straights. */
+/* Returns the direction in which a piece turns, by its middle; "" for straights. */
 static const char *turn_of(const Route *route, const RoutePiece *piece)
 {
     static const char *const words[3][3] = {
@@ -780,7 +780,7 @@ static const char *turn_of(const Route *route, const RoutePiece *piece)
     return words[1 + (rise > most) - (rise < -most)][1 + (aside > most) - (aside < -most)];
 }
 
-/* line [pieces], of one way. Errors: as plan_pull. */
+/* Fills line [pieces], of one way. Errors: as plan_pull. */
 static hawser_status lines_fill(const Calculator *c, int way, PieceLine *line, hawser_error *err)
 {
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};

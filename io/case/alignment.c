@@ -1,4 +1,4 @@
-/* From elements in plan and of the profile, or from corners, to pieces of a route. */
+/* Turns elements in plan and of the profile, or corners, into pieces of a route. */
 #include "io/case/alignment.h"
 
 #include <assert.h>
@@ -15,8 +15,8 @@
 #include "survey/join.h"
 #include "survey/read.h"
 
-/* m: what is shorter is rounding. 1/m: what is straighter is straight. rad: a corner that an element of the profile may
- * lose to its neighbour. m: by how much a corner that is none may be cut. */
+/* m: a shorter length is rounding. 1/m: a smaller curvature is straight. rad: a larger kink between elements of the
+ * profile is a corner. m: largest cut at a corner without a radius. */
 static const double SHORT = 1e-6, STRAIGHT = 1e-9, BENT = 5e-3, CUT = 1e-3;
 
 /* ---------------------------------------------------------------------------------------------------- the profile */
@@ -24,7 +24,7 @@ static const double SHORT = 1e-6, STRAIGHT = 1e-9, BENT = 5e-3, CUT = 1e-3;
 typedef struct Slopes {
     int n;
     RouteProfileElement *e; /* [n] over the length in plan, end to end */
-    double z;               /* m, where they begin */
+    double z;               /* m, height at their beginning */
 } Slopes;
 
 static void grade_add(Slopes *p, double length, double slope)
@@ -32,7 +32,7 @@ static void grade_add(Slopes *p, double length, double slope)
     if (length > SHORT) p->e[p->n++] = (RouteProfileElement){PROFILE_GRADE, length, {slope, slope}};
 }
 
-/* The profile over [0, plan]: its first and last grade go on to the ends, gaps are grades. */
+/* Extends the profile over [0, plan]: its first and last grade go on to the ends, gaps become grades. */
 static void slopes_fill(const Alignment *a, double plan, Slopes *p)
 {
     double at = 0;
@@ -55,8 +55,8 @@ static void slopes_fill(const Alignment *a, double plan, Slopes *p)
     grade_add(p, plan - at, atan(alignment_at(a, plan).grade));
 }
 
-/* Figures are rounded: a curve's slopes are those of the grades it lies between, if that is all there is to it. 0: a
- * corner is left beside a curve, of element i and the next. */
+/* Removes the rounding between a curve and its neighbour: the curve takes the neighbour's slope. Returns 0 if a corner
+ * is left between element i and the next, of which one is a curve. */
 static int curve_settle(Slopes *p, int i)
 {
     RouteProfileElement *const a = &p->e[i], *const b = a + 1;
@@ -70,8 +70,8 @@ static int curve_settle(Slopes *p, int i)
     return 1;
 }
 
-/* Radius and tangent length of the arc at a corner between two grades: the least radius, or one that cuts the corner by
- * a millimetre if that is larger and there is room. */
+/* Computes the tangent length of the arc at a corner between two grades: of the least radius, or of one that cuts the
+ * corner by a millimetre if that is larger and fits. */
 static double corner_tangent(const RouteProfileElement *a, const RouteProfileElement *b, double rounding)
 {
     const double half = 0.5 * fabs(b->slope[0] - a->slope[1]);
@@ -125,7 +125,7 @@ static hawser_status slopes_make(const Alignment *a, double plan, double roundin
 
 /* ------------------------------------------------------------------------------------------------------- the line */
 
-/* The i-th element, from 0 on, by the name that the file gives it, or else by its kind and number. */
+/* Returns the i-th element, from 0 on, under its name in the file, or else under its kind and number. */
 static RoutePlanElement plan_element(const Alignment *a, int i)
 {
     const PlanElement *const e = &a->plan[i];
@@ -164,7 +164,7 @@ static hawser_status elements_route(const Alignment *a, const LineOptions *optio
     return status;
 }
 
-/* Points whose corners have a radius. */
+/* Builds the route of points whose corners have a radius. */
 static hawser_status corners_route(const Alignment *a, const LineOptions *options, Vec3 origin, RouteLine *out,
                                    hawser_error *err)
 {
@@ -188,7 +188,7 @@ hawser_status line_route(const UsedLine *used, const LineOptions *options, Vec3 
     return a->n_plan ? elements_route(a, options, origin, out, err) : corners_route(a, options, origin, out, err);
 }
 
-/* Lines of a file: joined, and the one that is meant. */
+/* Joins the lines of a file and chooses one. */
 
 LineOptions line_options(void)
 {
@@ -220,14 +220,14 @@ static int is_picked(const LinePick *pick, const Alignment *a)
     return (!pick->name || !strcasecmp(pick->name, a->name)) && (!pick->layer || !strcasecmp(pick->layer, a->layer));
 }
 
-/* Layers that have been met: the first line of each. */
+/* Layers found so far: the first line of each. */
 enum { LAYERS_MOST = 4096 };
 
 typedef struct Layers {
     int n, first[LAYERS_MOST];
 } Layers;
 
-/* Whether a line's layer is new; then it is among those that were met. */
+/* Checks whether a line's layer is new, and adds it to the layers found. */
 static int layer_is_new(const Survey *s, int i, Layers *met)
 {
     for (int k = 0; k < met->n && k < LAYERS_MOST; ++k) {
@@ -240,12 +240,12 @@ static int layer_is_new(const Survey *s, int i, Layers *met)
 
 static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
 
-/* Says where the lines of a layer, or the parts of a feature (`what`, its name), end although something goes on: with
- * places if there are few, else how many. */
+/* Notes where the lines of a layer, or the parts of a feature (`what`, its name), end at a fork or gap: with places if
+ * there are few, else their number. */
 static void doubts_say(const char *what, const char *name, const Joined *j, Survey *notes)
 {
     enum { FEW = 4 };
-    char text[2 * SURVEY_NAME_MAX]; /* with room for a layer's name, a rise and places far away */
+    char text[2 * SURVEY_NAME_MAX]; /* space for a layer's name, a rise and places far away */
     const int few = j->n_forks + j->n_gaps <= FEW;
     for (int i = 0; few && i < j->n_doubts; ++i) {
         const JoinDoubt *const d = &j->doubt[i];
@@ -271,13 +271,13 @@ static void doubts_say(const char *what, const char *name, const Joined *j, Surv
     for (int i = 0; i < j->lost_heights; ++i) survey_ignore(notes, text);
 }
 
-/* Parts of one feature of a map, from line i on, that touch become one line; *next: the line behind them. */
+/* Joins touching parts of one feature of a map, from line i on, into one line; *next: the line behind them. */
 static hawser_status parts_join(const LinePick *pick, Survey *pieces, int i, int *next, Survey *out, hawser_error *err)
 {
     const Alignment *const a = &pieces->alignment[i];
     JoinOptions options = join_options();
     Joined joined;
-    Survey parts = {.alignment = &pieces->alignment[i]}; /* a view: nothing of it is freed */
+    Survey parts = {.alignment = &pieces->alignment[i]}; /* borrowed: nothing in it is freed */
     while (i + parts.n < pieces->n && a[parts.n].whole == a->whole) ++parts.n;
     options.tolerance = pick->join;
     *next = i + parts.n;
@@ -286,8 +286,7 @@ static hawser_status parts_join(const LinePick *pick, Survey *pieces, int i, int
     return status;
 }
 
-/* Lines of drawings come in pieces, and pieces of one layer belong together; without a layer the parts of a feature do.
- */
+/* Joins the pieces of each layer of a drawing; without a layer, the parts of each feature. */
 static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -317,7 +316,7 @@ static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *o
     return status;
 }
 
-/* What there is, for a message: the first names and layers. */
+/* Lists the first names and layers, for a message. */
 static void names_say(const Survey *s, size_t room, char *text)
 {
     enum { SHOWN = 8 };
@@ -337,7 +336,7 @@ static void names_say(const Survey *s, size_t room, char *text)
     }
 }
 
-/* Of a file whose lines are all left out: they are shorter than what meets. 0: they are not. */
+/* Explains that all lines are shorter than the joining distance and were left out. Returns 0 if they are not. */
 static int short_say(const LinePick *pick, const Survey *pieces, size_t room, char *text)
 {
     double longest = 0;
@@ -352,7 +351,7 @@ static int short_say(const LinePick *pick, const Survey *pieces, size_t room, ch
     return 1;
 }
 
-/* Of a file without a line: what is in it instead, which may be where the line is. */
+/* Lists what a file without a line contains instead; the line may be in there. */
 static void ignored_say(const Survey *s, size_t room, char *text)
 {
     enum { SHOWN = 5 };
@@ -382,7 +381,7 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
                       pick->layer ? (pick->name ? "' on layer '" : " on layer '") : "", pick->layer ? pick->layer : "",
                       pick->name || pick->layer ? "'" : "", pieces.n ? "are " : "is none", names, ignored);
     }
-    out->mark = pieces.mark; /* handed over */
+    out->mark = pieces.mark; /* ownership passes on */
     out->n_marks = pieces.n_marks;
     out->ignored = pieces.ignored;
     out->n_ignored = pieces.n_ignored;
@@ -399,10 +398,10 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
 
 hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err)
 {
-    const double least = 0.1; /* of the longest one's length: what is shorter is taken for a mark */
+    const double least = 0.1; /* share of the longest line's length: a shorter line is taken for a mark */
     const ChooseOptions any = {.name = NULL};
     char names[500];
-    const char *open = NULL; /* where a line may be torn */
+    const char *open = NULL; /* a fork or gap that may have split a line */
     const int best = choose_line(s, &any);
     *out = best < 0 ? NULL : &s->alignment[best];
     if (best < 0) return error_set(err, HAWSER_ERR_INPUT, "%.200s: no line", pick->path);
@@ -423,8 +422,8 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
 
 hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error *err)
 {
-    const double least = 1, most = 1e5; /* m, of a cable's route */
-    /* Figures of a grid of metres: they lie far from the origin, and what they enclose is no longer than 10 km. */
+    const double least = 1, most = 1e5; /* m, lengths of a cable's route */
+    /* Figures of a map's grid in metres: coordinates are far from the origin, and the line is no longer than 10 km. */
     const double grid_from = 1e5, grid_to = 1e7, grid_length = 1e4, small = 0.0254;
     const double unit = s->drawn_unit;
     if (!(unit > 0)) return HAWSER_OK;
@@ -439,7 +438,7 @@ hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error 
         a->name, m.length, s->unit, figures, grid ? ", which are like those of a grid of metres" : "");
 }
 
-/* Without the sign of what rounds to 0. */
+/* Removes the sign of a value that rounds to 0. */
 static double shown(double x) { return fabs(x) < 5e-4 ? 0 : x; }
 
 LineWay line_way(const Alignment *a, int reversed)
@@ -464,7 +463,7 @@ LineWay line_way(const Alignment *a, int reversed)
     return way;
 }
 
-/* Counts the lines beside the chosen one, and a unit that is not said, among what is not read. */
+/* Counts the lines beside the chosen one, and an undeclared unit, among the parts that are not read. */
 static void line_notes_say(Survey *s, const Alignment *chosen)
 {
     double sum = 0;
@@ -479,7 +478,7 @@ static void line_notes_say(Survey *s, const Alignment *chosen)
     if (others > 0) survey_ignore(s, what);
 }
 
-/* The path of a file that a section names: relative to the case's folder; malloc'ed. */
+/* Returns the path of a file that a section names, relative to the case's folder; malloc'ed. */
 static hawser_status path_find(const CaseReader *r, const CaseNode *section, const char *file, char **path)
 {
     const CaseNode *const node = case_node_key(section, "file");
@@ -498,7 +497,7 @@ static hawser_status path_find(const CaseReader *r, const CaseNode *section, con
 
 enum { IGNORE_MOST = 2000 };
 
-/* Names of columns, each on a line of its own. */
+/* Reads names of columns, each onto a line of its own. */
 static hawser_status ignore_read(const CaseReader *r, const CaseNode *section, char names[IGNORE_MOST])
 {
     const CaseNode *const given = case_node_key(section, "ignore");
@@ -512,7 +511,7 @@ static hawser_status ignore_read(const CaseReader *r, const CaseNode *section, c
     return HAWSER_OK;
 }
 
-/* Which line of which file; the texts stay the record's. */
+/* Reads the choice of a file's line; the texts stay the record's. */
 static hawser_status pick_read(const CaseReader *r, const CaseNode *section, const LineRecord *in,
                                char ignore[IGNORE_MOST], LinePick *out, char **path)
 {
@@ -530,7 +529,7 @@ static hawser_status pick_read(const CaseReader *r, const CaseNode *section, con
     return status ? case_key_cause(r->err, section, "units", "", &why) : HAWSER_OK;
 }
 
-/* What files have that is not in the route stands among what the case did not say: in `hawser check` and summaries. */
+/* Adds the parts of a file that are not in the route to the assumptions: `hawser check` and summaries list them. */
 static hawser_status unread_say(const CaseReader *r, const CaseNode *section, int n, const SurveyIgnored *left)
 {
     hawser_status status = HAWSER_OK;
@@ -538,7 +537,7 @@ static hawser_status unread_say(const CaseReader *r, const CaseNode *section, in
     return status;
 }
 
-/* What was found in a drawing and decides the pull: which way the line runs, and bends that its chords stand for. */
+/* Adds findings in a drawing that decide the pull: the line's direction, and bends for which its chords stand. */
 static hawser_status found_say(const CaseReader *r, const CaseNode *section, const Alignment *line,
                                const LineOptions *options, const UsedLine *used)
 {
@@ -551,10 +550,11 @@ static hawser_status found_say(const CaseReader *r, const CaseNode *section, con
     return status;
 }
 
-/* m: no cable goes around a corner that is sharper. */
+/* m: a sharper corner is not possible for a cable. */
 static const double LEAST_BEND = 0.3;
 
-/* Reads, chooses and uses the line of `node`'s file; *own: that file is read, and what fails is of the profile's. */
+/* Reads, chooses and uses the line of `node`'s file; *own: the file of this line was read, so that a later failure is
+ * the profile's. */
 static hawser_status line_find(const CaseReader *r, const CaseNode *node, const LineOptions *options, UsedLine *used,
                                int *own, hawser_error *err)
 {
@@ -587,7 +587,7 @@ static hawser_status line_find(const CaseReader *r, const CaseNode *node, const 
     return status;
 }
 
-/* The key that an error of the file is about, where it is not the file itself. */
+/* Returns the key that an error of the file concerns, where it is not the file itself. */
 static const CaseNode *blamed(const CaseNode *section, const char *message)
 {
     const int columns = strstr(message, ": 'ignore' ") != NULL;
@@ -626,9 +626,9 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
     return status;
 }
 
-/* A line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
+/* Prepares a line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
 
-/* The line from which heights come; *s is to be cleared. NULL in *profile: the line's own. */
+/* Finds the line with the heights; *s is to be cleared. NULL in *profile: the line's own heights. */
 static hawser_status profile_find(const LineOptions *options, Survey *s, const Alignment **profile, hawser_error *err)
 {
     *profile = NULL;
@@ -640,7 +640,7 @@ static hawser_status profile_find(const LineOptions *options, Survey *s, const A
     return status;
 }
 
-/* By how much the chain of elements misses the places where the file has them, (AL8). */
+/* Returns the largest distance between the chained elements and their places in the file, (AL8). */
 static double chain_off(const Alignment *own, const Alignment *chained)
 {
     double worst = 0;
@@ -654,7 +654,7 @@ static double chain_off(const Alignment *own, const Alignment *chained)
     return worst;
 }
 
-/* Lets the elements begin where those before them end, and says what that moves. */
+/* Moves each element's beginning to the end of the one before, and reports the shift. */
 static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_error *err)
 {
     Alignment own;
@@ -669,15 +669,14 @@ static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_er
                      used->line.name, used->deviation, options->tolerance);
 }
 
-/* Whether the heights of a line are drawn: its plan has stations and heights. */
+/* Checks whether the heights of a line are drawn: its plan has stations and heights. */
 static int is_drawn(const Alignment *profile)
 {
     return profile->n_profile == 0 && (profile->n_plan > 0 || profile->flat);
 }
 
-/* Joined elements are taken as they are; what the fit changes it reports. It holds the deviation where it cuts a line,
- * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within,
- * unless it is far off. */
+/* Fits the line; joined elements stay as they are. Joining may exceed the deviation that the fit's cuts keep, so the
+ * fit is repeated with a smaller one until the whole line is within the tolerance, unless it is far off. */
 static hawser_status fit(const Alignment *from, const Alignment *profile, const LineOptions *options, UsedLine *used,
                          hawser_error *err)
 {
@@ -703,7 +702,7 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
     return status;
 }
 
-/* What is asked for and this line has no use for: nothing that is asked for is passed over in silence. */
+/* Checks for options that this line cannot use: none is ignored silently. */
 static hawser_status asked_check(const Alignment *from, const Alignment *profile, const LineOptions *options,
                                  hawser_error *err)
 {
@@ -726,7 +725,7 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
     return HAWSER_OK;
 }
 
-/* Stations of a part are on the file's line, but for their rounding. */
+/* Checks that the stations of a part are on the file's line, but for rounding. */
 static hawser_status stations_check(const Alignment *a, const LineOptions *options, hawser_error *err)
 {
     const double rounding = 0.01, end = a->station + alignment_measure(a).plan_length;
@@ -737,12 +736,12 @@ static hawser_status stations_check(const Alignment *a, const LineOptions *optio
                      a->name, a->station, end, from, to);
 }
 
-/* The part that is used, m from where the line begins. */
+/* The used part, m from the line's beginning. */
 typedef struct Used {
     double from, to;
 } Used;
 
-/* What a file leaves out between two elements of it is not made up. `within`, m: what is bridged. */
+/* Checks that no used part lies in a gap between two elements. `within`, m: a smaller gap is bridged. */
 static hawser_status gaps_check(const Alignment *a, Used part, double within, hawser_error *err)
 {
     double s = 0;
@@ -759,7 +758,8 @@ static hawser_status gaps_check(const Alignment *a, Used part, double within, ha
     return HAWSER_OK;
 }
 
-/* The same of a profile: over a gap the grade goes on, so that only its height can miss the next element's. */
+/* Does the same for a profile: the grade goes on over a gap, so that only its height can differ from the next
+ * element's. */
 static hawser_status jumps_check(const Alignment *a, Used part, double within, hawser_error *err)
 {
     for (int i = 0; i + 1 < a->n_profile; ++i) {
@@ -776,7 +776,7 @@ static hawser_status jumps_check(const Alignment *a, Used part, double within, h
     return HAWSER_OK;
 }
 
-/* Neither what is used of the line nor the one that its heights come from has a hole. */
+/* Checks that neither the used part of the line nor the line of its heights has a gap. */
 static hawser_status whole_check(const Alignment *from, const Alignment *profile, const LineOptions *options,
                                  hawser_error *err)
 {
@@ -791,7 +791,7 @@ static hawser_status whole_check(const Alignment *from, const Alignment *profile
     return status;
 }
 
-/* Corners that get a radius need no fit; straights that were joined are a line of points then. */
+/* Keeps the corners that get a radius without a fit; joined straights become a line of points. */
 static hawser_status keep(const Alignment *from, UsedLine *used, hawser_error *err)
 {
     Alignment *const a = &used->line;
@@ -809,8 +809,8 @@ static hawser_status keep(const Alignment *from, UsedLine *used, hawser_error *e
     return HAWSER_OK;
 }
 
-/* m, by which arcs of radius R cut the corners of a line of points, each that turns by an angle a: R (1/cos(a/2) - 1).
- */
+/* Returns the distance, m, by which arcs of radius R cut the corners of a line of points, each with an angle a: R
+ * (1/cos(a/2) - 1). */
 static double corners_cut(const Alignment *a, double radius)
 {
     double most = 0;
@@ -822,10 +822,10 @@ static double corners_cut(const Alignment *a, double radius)
     return most;
 }
 
-/* rad: what turns by more between two legs is a corner to whoever drew it. m: bends below are none that were meant. */
+/* rad: a larger angle between two legs is meant as a corner. m: a smaller bend radius was not intended. */
 static const double CORNER = 0.35, SHARP = 1.5;
 
-/* Corners that the fit made bends of which are only as wide as the tolerance allows: `radius` is what is missing. */
+/* Reports corners that became bends only as wide as the tolerance allows: the key `radius` is missing. */
 static void sharp_say(const Alignment *from, UsedLine *used)
 {
     Vec3 *const point = calloc((size_t)from->n_plan + (size_t)from->n_points + 2, sizeof *point);
@@ -849,7 +849,7 @@ static void sharp_say(const Alignment *from, UsedLine *used)
              corners, corners > 1 ? "s" : "", least, radius, most);
 }
 
-/* A level line of corners as the straights and arcs that are built, so that they are shown and written. */
+/* Builds a level line of corners as straights and arcs, so that these are shown and written. */
 static hawser_status corners_build(const LineOptions *options, UsedLine *used, hawser_error *err)
 {
     Alignment *const a = &used->line;
@@ -861,7 +861,7 @@ static hawser_status corners_build(const LineOptions *options, UsedLine *used, h
     if (!corner) return error_memory(err);
     for (int i = 0; i < a->n_points; ++i) corner[i] = (PlanCorner){.at = a->point[i], .radius = options->corner};
     const hawser_status status =
-        a->flat ? plan_from_corners(a, a->n_points, corner, 0, &wrong, err) : HAWSER_OK; /* else arcs in space */
+        a->flat ? plan_from_corners(a, a->n_points, corner, 0, &wrong, err) : HAWSER_OK; /* otherwise arcs in space */
     if (!status && a->flat) a->n_points = 0;
     free(corner);
     return status;
@@ -878,7 +878,7 @@ static hawser_status part_take(const LineOptions *options, Alignment *a, hawser_
     return status;
 }
 
-/* What the file itself says of the part that is used. Heights of another file are those of the line that is built. */
+/* Measures the file's own line over the used part. Heights of another file are those of the line that is built. */
 static hawser_status measure(const Alignment *from, int own_heights, const LineOptions *options, UsedLine *used,
                              hawser_error *err)
 {
@@ -920,7 +920,7 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     if (!status) status = chain(options, used, err);
     if (!status && !isnan(options->corner)) status = corners_build(options, used, err);
     if (!status && isnan(options->corner)) sharp_say(from, used);
-    used->unread = s.ignored; /* handed over */
+    used->unread = s.ignored; /* ownership passes on */
     used->n_unread = s.n_ignored;
     s.ignored = NULL;
     s.n_ignored = 0;

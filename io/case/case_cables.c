@@ -11,7 +11,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* By component, on top of the cable's damping time; in CableDef both shears and both bendings have their own. */
+/* Factors by component on the cable's damping time; in CableDef each shear and bending component has its own. */
 static const CaseKey damping_factor_keys[] = {
     {"axial", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[0])},
     {"shear", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[1])},
@@ -21,7 +21,7 @@ static const CaseKey damping_factor_keys[] = {
 
 static SECTION(damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
 
-/* In place of time and factor, component by component. */
+/* Ratios by component, in place of time and factor. */
 static const CaseKey damping_ratio_keys[] = {
     {"axial", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[0])},
     {"shear", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[1])},
@@ -46,7 +46,7 @@ static SECTION(preload, "cables.NAME.preload", preload_keys);
 
 static const char *const metals[] = {"copper", "aluminium", NULL};
 
-/* What stiffness is estimated from, and what an eye pulls at. */
+/* The conductor: stiffness is estimated from it, and an eye pulls at it. */
 static const CaseKey cable_conductor_keys[] = {
     {"material", KEY_CHOICE, .required = 1, .choices = metals, AT(CableDef, conductor_metal)},
     {"area", KEY_NUMBER, DIM_AREA, .required = 1, ABOVE(0, 1), AT(CableDef, conductor_area)},
@@ -57,11 +57,11 @@ static SECTION(cable_conductor, "cables.NAME.conductor", cable_conductor_keys);
 
 /* A cable, with the paper's shorthand for its rigidities (its eq. 2). */
 typedef struct CableRecord {
-    CableDef cable; /* first, for the sections within */
+    CableDef cable; /* first, for the nested sections */
     double E, G, A, density, EI;
 } CableRecord;
 
-/* A rigidity has no default of its own: cable_resolve takes it from the shorthand. */
+/* A rigidity has no default of its own: cable_resolve computes it from the shorthand. */
 static const CaseKey cable_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, cable.diameter)},
@@ -89,7 +89,7 @@ static const CaseKey cable_keys[] = {
 
 SECTION(case_cable, "cables.NAME", cable_keys);
 
-/* A piece of the chain: the cable by its name. */
+/* A piece of the chain, with its cable's name. */
 typedef struct PieceRecord {
     ChainPieceDef piece;
     char cable[NAME_MAX_LENGTH];
@@ -108,7 +108,7 @@ static const CaseKey chain_piece_keys[] = {
 
 SECTION(case_chain_piece, "chain.N", chain_piece_keys);
 
-/* Counts only what has been read so far, so that it also serves while the chain is being read. */
+/* Counts the segments read so far, so that it also works while the chain is being read. */
 int case_segments(const SceneDef *def)
 {
     int n = 0;
@@ -134,7 +134,7 @@ double case_longest_segment(const SceneDef *def)
     return longest;
 }
 
-/* The same eye as the scene's. */
+/* Uses the same eye as the scene. */
 int case_eye(const SceneDef *def)
 {
     int n = 0;
@@ -142,7 +142,7 @@ int case_eye(const SceneDef *def)
     return n;
 }
 
-/* Of the cables that are in the chain; one that is only listed does not count. */
+/* Considers the cables of the chain; a cable that is only listed does not count. */
 double case_largest_diameter(const SceneDef *def)
 {
     double largest = 0;
@@ -150,7 +150,7 @@ double case_largest_diameter(const SceneDef *def)
     return largest;
 }
 
-/* One property: as it was given, or else what the shorthand gives; `shorthand` names what that needs. */
+/* Sets one property: the given value, or else that of the shorthand; `shorthand` names the keys that this needs. */
 static hawser_status property(const CaseReader *r, const CaseNode *node, const char *key, const char *shorthand,
                               double derived, double *value)
 {
@@ -159,8 +159,8 @@ static hawser_status property(const CaseReader *r, const CaseNode *node, const c
     return case_key_error(r->err, node, key, "missing: give it, or %s", shorthand);
 }
 
-/* Ratios that are given take the place of time and factor; a ratio of zero is a factor of zero. Shear and bending are
- * alike in y and z. */
+/* Replaces time and factor by given ratios; a ratio of zero is a factor of zero. Shear and bending are equal in y and
+ * z. */
 static void damping_complete(CableDef *cable)
 {
     static const int like[6] = {0, 1, 1, 3, 4, 4};
@@ -182,8 +182,8 @@ static void estimate(CableDef *cable, double *value, double estimated, unsigned 
     cable->estimated |= which;
 }
 
-/* A cable without a word of the shorthand: what it does not say of its rigidities is estimated from what it says
- * (CS1) to (CS7), and noted. The shear rigidity goes with EA, the torsional one with EI, also where those are given. */
+/* Estimates the rigidities that a cable without shorthand does not give, (CS1) to (CS7), and notes them. The shear
+ * rigidity follows EA, the torsional one EI, also where those are given. */
 static void cable_estimate(CableDef *cable, int bends)
 {
     const StiffnessEstimate e = cable_def_estimate(cable);
@@ -195,10 +195,10 @@ static void cable_estimate(CableDef *cable, int bends)
     estimate(cable, &cable->ei_z, e.ei, CABLE_ESTIMATED_EI);
 }
 
-/* Needs diameter and mass. */
+/* Requires diameter and mass. */
 static int shorthand_begun(const CableRecord *c) { return !isnan(c->E) || !isnan(c->G) || !isnan(c->A); }
 
-/* The paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
+/* Applies the paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
 static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c, CableDef *cable)
 {
     const double J = PI * pow(cable->diameter, 4) / 32, EI = isnan(c->EI) ? c->E * J / 2 : c->EI;
@@ -209,7 +209,7 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
         if (isnan(cable->ei_y)) cable->ei_y = EI;
         if (isnan(cable->ei_z)) cable->ei_z = EI;
         cable_estimate(cable, bends);
-        if (!(cable->ea > 0 && cable->ga > 0 && cable->gj > 0)) { /* powers of the diameter that are 0 */
+        if (!(cable->ea > 0 && cable->ga > 0 && cable->gj > 0)) { /* powers of the diameter underflow to 0 */
             return case_key_error(r->err, node, "d", "%g m is too thin for an estimate: give EA, GA, GJ and EI",
                                   cable->diameter);
         }
@@ -228,7 +228,7 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
     return s;
 }
 
-/* The names are the user's: each key of the map is a cable. */
+/* Reads a cable under the user's name for it: each key of the map is a cable. */
 static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     CableDef *const cable = item;
@@ -265,9 +265,8 @@ static int conductors_equal(const CableDef *a, const CableDef *b)
            a->conductor_cores == b->conductor_cores;
 }
 
-/* The cable whose conductor is pulled at: of a bundle the kind that counts as thickest, otherwise the chain's first
- * piece. NULL: kinds or pieces have unlike conductors, which have no strength in common, so that the case must give it.
- */
+/* Returns the cable whose conductor is pulled: for a bundle the thickest kind, otherwise the chain's first piece. NULL:
+ * kinds or pieces have different conductors without a common strength, so that the case must give it. */
 static const CableDef *pulled_cable(const SceneDef *def)
 {
     const BundleDef *const b = &def->bundle;
@@ -282,7 +281,7 @@ static const CableDef *pulled_cable(const SceneDef *def)
     return pulled;
 }
 
-/* The weakest of the rope's pieces, N; 0: it is not known of all. */
+/* Returns the strength of the weakest piece of rope, N; 0: not known for all. */
 static double weakest_rope(const SceneDef *def)
 {
     double least = INFINITY;
@@ -291,7 +290,7 @@ static double weakest_rope(const SceneDef *def)
     return isfinite(least) ? least : 0;
 }
 
-/* Of what is pulled and of what pulls, if there is a rope. */
+/* Reads the limits of the cable and, if there is one, of the rope. */
 hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -310,7 +309,7 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-/* The cable that a piece names. */
+/* Finds the cable that a piece names. */
 static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int *cable)
 {
     const CaseNode *name = case_node_key(piece, "cable");
@@ -326,7 +325,7 @@ static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int 
     return case_value_error(r->err, name, " is not one of the %d in 'cables', such as '%s'", r->def->n_cables, known);
 }
 
-/* Segments of equal length, none longer than asked for. node: the piece. */
+/* Divides a piece into segments of equal length, none longer than given. node: the piece. */
 static hawser_status segments_count(const CaseReader *r, const CaseNode *node, double segment, ChainPieceDef *piece)
 {
     const double n = ceil(piece->length / segment - 1e-6);
@@ -340,7 +339,7 @@ static hawser_status segments_count(const CaseReader *r, const CaseNode *node, d
     return HAWSER_OK;
 }
 
-/* The length that is given; none for `auto`, which waits for what the cable runs through (case_mesh_read). */
+/* Reads the given length; `auto` leaves it open until the cable's surroundings are known (case_mesh_read). */
 static hawser_status segment_read(const CaseReader *r, const CaseNode *node, ChainPieceDef *piece)
 {
     const CaseNode *const given = case_node_key(node, "segment");
@@ -350,7 +349,7 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
     return status ? status : segments_count(r, node, segment, piece);
 }
 
-/* Of the pieces that leave their length open. */
+/* Counts the segments of the pieces that leave their length open. */
 static hawser_status segments_take(const CaseReader *r, const CaseNode *node, const Mesh *mesh, const char *open)
 {
     SceneDef *const def = r->def;
@@ -376,7 +375,7 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     hawser_status status = any && !def->rod.present ? supports_build(def, &r->route, &map, r->err) : HAWSER_OK;
     if (any && !status) status = mesh_find(&map, &mesh, r->err);
     if (any && !status) status = segments_take(r, node, &mesh, open);
-    Buckling pushed = {0}; /* by theory, which has no need of short segments */
+    Buckling pushed = {0}; /* by theory, which does not require short segments */
     if (any && !status) status = buckling_of_case(def, &r->route, &pushed, r->err);
     if (buckling_bends(def, &pushed)) mesh.wave = buckling_shown(&pushed);
     if (mesh.wave > 0 && !status) status = segments_take(r, node, &mesh, open);
@@ -386,7 +385,7 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* One piece of the chain, with its cable found and its segments counted. */
+/* Reads one piece of the chain, finds its cable and counts its segments. */
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     PieceRecord record = {0};
@@ -402,7 +401,7 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void 
     return HAWSER_OK;
 }
 
-/* Without a chain it is the only cable; how long it is the route says (case_route_read). */
+/* Makes a chain of the only cable; its length follows from the route (case_route_read). */
 static hawser_status chain_of_one(CaseReader *r)
 {
     SceneDef *const def = r->def;
@@ -417,8 +416,8 @@ static hawser_status chain_of_one(CaseReader *r)
     return HAWSER_OK;
 }
 
-/* What pulls is rope, and a rope is not heavier than what it pulls: what looks like a cable that is jointed the case
- * must say. Behind a rope there is no cable. */
+/* Checks the rope. A rope is lighter than the cable before it; for a last piece that is not, the case must state
+ * whether it is rope or cable. No cable follows a rope. */
 static hawser_status rope_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -454,18 +453,18 @@ static const CaseKey bending_keys[] = {
 
 SECTION(case_bending, "cables.NAME.bending", bending_keys);
 
-/* The columns of a table. */
+/* Columns of a table. */
 static const CaseKey curvature_key = {"curvature", KEY_NUMBER, DIM_CURVATURE, .min = 0, .max = 1e6, .above = 1},
                      moment_key = {"moment", KEY_NUMBER, DIM_MOMENT, .min = 0, .max = 1e15, .above = 1};
 
-/* The rigidity between row i and the one before it, or the origin, N m2. */
+/* Returns the rigidity between row i and the one before it, or the origin, N m2. */
 static double slope_at(const BendingTable *t, int i)
 {
     const double curvature = i > 0 ? t->curvature[i - 1] : 0, moment = i > 0 ? t->moment[i - 1] : 0;
     return (t->moment[i] - moment) / (t->curvature[i] - curvature);
 }
 
-/* Row i goes on from the one before it: farther, with no less moment, and no steeper. */
+/* Checks that row i continues the one before it: a larger curvature, no less moment, and no steeper. */
 static hawser_status row_check(const CaseReader *r, const CaseNode *row, const BendingTable *t, int i)
 {
     if (i == 0) return HAWSER_OK;
@@ -484,7 +483,7 @@ static hawser_status row_check(const CaseReader *r, const CaseNode *row, const B
                             before, here);
 }
 
-/* The rigidities are the table's: none may be given beside it. */
+/* Checks that no rigidity is given beside the table that defines it. */
 static hawser_status alone_check(const CaseReader *r, const CaseNode *cable)
 {
     static const char *const others[] = {"EI", "EI_y", "EI_z"};
@@ -527,9 +526,9 @@ hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, Cable
 
 const char *const case_layouts[] = {"auto", "single", "pair", "triangle", "cradle", "diamond", NULL};
 
-static const char *const corrections[] = {"everywhere", "straights", "none", NULL}; /* as WeightCorrection */
+static const char *const corrections[] = {"everywhere", "straights", "none", NULL}; /* order of WeightCorrection */
 
-/* Of a lay that is not given: in thickest diameters. Makers' lays are 20 to 60. */
+/* Default lay in thickest diameters. Makers' lays are 20 to 60. */
 static const double USUAL_LAY = 30;
 
 typedef struct MemberRecord {
@@ -565,7 +564,7 @@ static const CaseKey bundle_keys[] = {
 
 SECTION(case_bundle, "bundle", bundle_keys);
 
-/* The cable that all pieces before the eye are made of. */
+/* Finds the one cable of all pieces before the eye. */
 static hawser_status chain_cable(const CaseReader *r, int *cable)
 {
     const SceneDef *const def = r->def;
@@ -580,7 +579,7 @@ static hawser_status chain_cable(const CaseReader *r, int *cable)
     return HAWSER_OK;
 }
 
-/* One kind of the set. */
+/* Reads one kind of the set. */
 static hawser_status member_read(const CaseReader *r, const CaseNode *node, BundleDef *out)
 {
     MemberRecord record = {.count = 1};
@@ -600,7 +599,7 @@ static hawser_status member_read(const CaseReader *r, const CaseNode *node, Bund
     return case_value_error(r->err, case_node_key(node, "cable"), " is not one of those in 'cables'");
 }
 
-/* The kinds one by one; what lies in the chain stands for them all, and is one of them. */
+/* Reads the kinds one by one; the chain's cable stands for them all, and is one of them. */
 static hawser_status members_read(const CaseReader *r, const CaseNode *list, int cable, BundleDef *out)
 {
     if (list->count < 1 || list->count > BUNDLE_KINDS_MAX) {
@@ -618,7 +617,7 @@ static hawser_status members_read(const CaseReader *r, const CaseNode *list, int
                           r->def->cables[cable].name);
 }
 
-/* The layout and what is twisted must go with the number of the thickest. node: where they were written. */
+/* Checks the layout and the twist against the number of the thickest cables. node: where they were written. */
 static hawser_status layout_check(const CaseReader *r, const CaseNode *node)
 {
     const BundleDef *const b = &r->def->bundle;
@@ -634,7 +633,7 @@ static hawser_status layout_check(const CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-/* The set, checked and made one cable. */
+/* Checks the set and makes one equivalent cable of it. */
 static hawser_status bundle_finish(CaseReader *r, const CaseNode *node, BundleRecord *record)
 {
     const CaseNode *const members = case_node_key(node, "members"), *const lay = case_node_key(node, "lay");
@@ -655,7 +654,7 @@ static hawser_status bundle_finish(CaseReader *r, const CaseNode *node, BundleRe
         b->set.kinds = 1;
     }
     if (isnan(b->set.weight_factor)) b->set.weight_factor = 0;
-    if (isnan(b->set.oval)) b->set.oval = 0; /* case_cables_limits sets the code's */
+    if (isnan(b->set.oval)) b->set.oval = 0; /* case_cables_limits sets the code's value */
     if (isnan(b->set.lay)) b->set.lay = USUAL_LAY * r->def->cables[cable].diameter;
     r->def->bundle = *b;
     hawser_error why = {.message = ""};
@@ -664,7 +663,7 @@ static hawser_status bundle_finish(CaseReader *r, const CaseNode *node, BundleRe
     return layout_check(r, node);
 }
 
-/* The older keys mean a bundle without more. */
+/* Treats the older keys as a bundle with no further properties. */
 hawser_status case_bundle_read(CaseReader *r, const CaseNode *node)
 {
     BundleRecord record = {.cables = 1};
@@ -683,9 +682,9 @@ hawser_status case_bundle_read(CaseReader *r, const CaseNode *node)
     return status ? status : bundle_finish(r, theory, &record);
 }
 
-/* ------------------------------------------------------------------------------------------ what does not go */
+/* ------------------------------------------------------------------------------------------ what a bundle excludes */
 
-/* Grooves press cables together by a law that is theirs, not a duct's. */
+/* Rejects grooves: they press cables together by a law of their own, not a duct's. */
 static hawser_status grooves_check(const CaseReader *r)
 {
     const SceneDef *const def = r->def;
@@ -733,7 +732,7 @@ hawser_status case_bundle_check(CaseReader *r, const CaseNode *node)
 
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
 
-/* ADAMS' IMPACT; the defaults' reasons are in def/scene_def.c. */
+/* ADAMS' IMPACT; def/scene_def.c gives the reasons for the defaults. */
 static const CaseKey contact_keys[] = {
     {"geometry", KEY_CHOICE, .fallback = "smooth", .choices = geometries, AT(SceneDef, geometry)},
     {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "3.4e8 N/m^1.5", .form = "a force per length to the power e",
@@ -754,7 +753,7 @@ typedef struct FrictionRecord {
     double mu, mu_s, mu_d, v_s, v_d, d_s;
 } FrictionRecord;
 
-/* No fallbacks: what is absent is the case's own law for a roller, and the default law for the case. */
+/* No fallbacks: absent values are those of the case's own law for a roller, and of the default law for the case. */
 static const CaseKey friction_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
@@ -769,7 +768,7 @@ static const CaseKey friction_keys[] = {
 
 SECTION(case_friction, "friction", friction_keys);
 
-/* The law's stiffness: its unit goes with the exponent. */
+/* Reads the law's stiffness, whose unit depends on the exponent. */
 hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k)
 {
     char why[UNITS_WHY_MAX];
@@ -781,7 +780,7 @@ hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, dou
     return case_range_check(r, node, key, *k);
 }
 
-/* The stiffness comes last: its unit has the exponent that was read. */
+/* Reads the stiffness last: its unit has the exponent that was read. */
 hawser_status case_contact_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -792,7 +791,7 @@ hawser_status case_contact_read(CaseReader *r, const CaseNode *node)
     return case_key_error(r->err, friction, NULL, "not allowed without 'cable_on_cable: true' or several chains");
 }
 
-/* Neither side of such a contact stays where it is: there is no place to remember, so that it cannot stick. */
+/* Rejects a sticking law: both sides of such a contact move, so that there is no place to stick to. */
 static hawser_status cable_friction_read(const CaseReader *r, const CaseNode *node)
 {
     FrictionLaw *const own = &r->def->cable_friction;
@@ -806,10 +805,10 @@ static hawser_status cable_friction_read(const CaseReader *r, const CaseNode *no
     return status;
 }
 
-/* Speed at which friction is fully there, unless the case says: a tenth of the winch's, or less (C21). */
+/* Speed at which friction is fully developed, unless the case gives it: a tenth of the winch's, or less (C21). */
 static const double SPEED_SHARE = 0.1;
 
-/* The drive has been read. */
+/* Requires the drive. */
 hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
 {
     FrictionLaw usual = r->def->friction;
@@ -823,8 +822,8 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
 
-/* Where the case says nothing of its friction and something of that of rollers and floors, the most of theirs is the
- * case's: that is what the cable runs on wherever there is no duct and no tray. */
+/* Where the case does not give its own friction, sets it to the largest one of rollers and floors: the cable runs on
+ * these wherever there is no duct and no tray. */
 hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -845,7 +844,7 @@ hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-/* Where v_d was not given the message points at the section, since there is no line of its own. */
+/* Points the message at the section where v_d was not given and has no line of its own. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d)
 {
     if (isnan(*v_d)) *v_d = 2 * v_s;
@@ -855,9 +854,9 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
                           "value %g m/s is out of range: must be above v_s, %g m/s", *v_d, v_s);
 }
 
-static const double STICK_DISPLACEMENT = 1e-4; /* m, of a law that sticks, unless it says its own */
+static const double STICK_DISPLACEMENT = 1e-4; /* m, default of a sticking law */
 
-/* Whether the law sticks, and by which displacement. */
+/* Reads whether the law sticks, and over which displacement. */
 static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const FrictionRecord *record,
                                 const FrictionLaw *base, FrictionLaw *law)
 {
@@ -872,7 +871,7 @@ static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* The two ends of an entry's range of a key, if it has one as a list. */
+/* Reads the two ends of an entry's range of a key, if it has one as a list. */
 static int range_read(const CaseReader *r, const LibraryEntry *entry, const char *key, double *low, double *high)
 {
     char why[UNITS_WHY_MAX];
@@ -899,7 +898,7 @@ FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, con
     return known;
 }
 
-/* mu stands for both coefficients; each may be given by itself, and wins then: one of them, or mu would say nothing. */
+/* Uses mu for both coefficients; each may be given instead, but not both beside mu, which would then have no effect. */
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law)
 {
     FrictionRecord record = {0};
@@ -921,7 +920,7 @@ hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, cons
     return status;
 }
 
-/* What stops in mid-run, when, and when it runs again. */
+/* Equipment that stops during the run, when, and when it runs again. */
 static const CaseKey jam_keys[] = {
     {"what", KEY_TEXT, .required = 1, AT(JamDef, what)},
     {"at", KEY_NUMBER, DIM_TIME, .otherwise = "by `head_at`", FROM(0, LATE), AT(JamDef, at)},
@@ -936,7 +935,7 @@ SECTION(case_jam, "jams.N", jam_keys);
 
 enum { NAMES_SHOWN = 8, NAMES_ROOM = NAMES_SHOWN * (NAME_MAX_LENGTH + 4) };
 
-/* The first of the names that there are, for messages. */
+/* Lists the first existing names, for messages. */
 static const char *names_of(const SceneDef *def, char text[NAMES_ROOM])
 {
     const char *name = scene_def_can_jam(def, 0);
@@ -948,7 +947,7 @@ static const char *names_of(const SceneDef *def, char text[NAMES_ROOM])
     return text;
 }
 
-/* One thing has the name, and nothing else; only a roller drags when it stands. */
+/* Checks that the name is that of one thing that can jam and does not jam already; only a roller has a friction. */
 static hawser_status what_check(const CaseReader *r, const CaseNode *node, const JamDef *jam)
 {
     const CaseNode *const what = case_node_key(node, "what"), *const friction = case_node_key(node, "friction");
@@ -972,7 +971,7 @@ static hawser_status what_check(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* One of a time and a place of the front. */
+/* Checks that either a time or a place of the front is given. */
 static hawser_status either_check(const CaseReader *r, const CaseNode *node, const char *time, const char *place)
 {
     const CaseNode *const both = case_node_key(node, place);
@@ -980,7 +979,7 @@ static hawser_status either_check(const CaseReader *r, const CaseNode *node, con
     return case_key_error(r->err, both, NULL, "not allowed beside '%s'", time);
 }
 
-/* The front is not yet where the jam begins, and a release comes after the jam. */
+/* Checks that the front is still before the place where the jam begins, and that a release comes after the jam. */
 static hawser_status order_check(const CaseReader *r, const CaseNode *node, const JamDef *jam)
 {
     if (isnan(jam->at) && isnan(jam->head_at)) {
@@ -1017,9 +1016,9 @@ hawser_status case_jams_read(CaseReader *r, const CaseNode *list)
     return case_list_read(r, list, sizeof *r->def->jams, jam_read, &r->def->jams, &r->def->n_jams);
 }
 
-/* What a chain meets away from equipment: the air or water around it, and the speeds it begins with. */
+/* The chain away from equipment: the air or water around it, and its initial speeds. */
 
-/* A density is what makes a medium. */
+/* A medium requires a density. */
 static const CaseKey medium_keys[] = {
     {"density", KEY_NUMBER, DIM_DENSITY, .required = 1, ABOVE(0, 1e5), AT(MediumDef, density)},
     {"velocity", KEY_POINT, DIM_SPEED, .fallback = "[0, 0, 0]", FROM(-1e3, 1e3), AT(MediumDef, velocity)},
@@ -1030,7 +1029,7 @@ static const CaseKey medium_keys[] = {
 
 SECTION(case_medium, "medium", medium_keys);
 
-/* All are added; at least one must be there. */
+/* Parts are added; at least one must be given. */
 static const CaseKey launch_keys[] = {
     {"along", KEY_NUMBER, DIM_SPEED, .fallback = "0 m/s", FROM(-1e4, 1e4), AT(LaunchDef, along)},
     {"velocity", KEY_POINT, DIM_SPEED, .fallback = "[0, 0, 0]", FROM(-1e4, 1e4), AT(LaunchDef, velocity)},
@@ -1042,7 +1041,7 @@ static const CaseKey launch_keys[] = {
 
 SECTION(case_launch, "launch", launch_keys);
 
-/* A lead-in and a reel bear the cable in the air. */
+/* Rejects buoyancy beside a lead-in or a reel: these carry the cable in the air. */
 hawser_status case_medium_read(CaseReader *r, const CaseNode *node)
 {
     static const char *const dry[] = {"lead_in", "reel"};
@@ -1056,7 +1055,7 @@ hawser_status case_medium_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* [place, speed along the chain] or [place, velocity]. */
+/* Reads [place, speed along the chain] or [place, velocity]. */
 static hawser_status row_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     LaunchRow *const row = item;
@@ -1078,7 +1077,7 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, void *i
                             " is out of range: must be above the place before it, %g m", row[-1].at);
 }
 
-/* What comes off a reel begins at rest, and so does what load steps look for. */
+/* Rejects a drum, whose cable begins at rest, and analyses that find the state of rest. */
 hawser_status case_launch_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;

@@ -7,7 +7,7 @@
 #include "io/case/case_parts.h"
 #include "sim/equipment/reel.h"
 
-/* In place of a speed. */
+/* Used in place of a speed. */
 static const CaseKey winch_tension_keys[] = {
     {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(WinchDef, tension.v1)},
     RAMP_KEYS(offsetof(WinchDef, tension), "step"),
@@ -60,7 +60,7 @@ SECTION(case_tail, "drive.tail", tail_keys);
 
 SECTION(case_back_tension, "reel.back_tension", tail_keys);
 
-/* The force alone is needed; the rest is the friction law's shape. */
+/* Only the force is required; the rest is the shape of the friction law. */
 static const CaseKey rope_drag_keys[] = {
     {"force", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(RopeDragDef, force)},
     {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(RopeDragDef, v_s)},
@@ -70,7 +70,7 @@ static const CaseKey rope_drag_keys[] = {
 
 static SECTION(rope_drag, "drive.rope_drag", rope_drag_keys);
 
-/* Each may be absent. */
+/* Each section may be absent. */
 static const CaseKey drive_keys[] = {
     {"winch", KEY_MAP, .otherwise = "none", .section = &winch},
     {"tail", KEY_MAP, .otherwise = "none", .section = &case_tail},
@@ -80,7 +80,7 @@ static const CaseKey drive_keys[] = {
 
 SECTION(case_drive, "drive", drive_keys);
 
-/* A table's points: [time, value], times rising strictly. */
+/* Reads a table's points: [time, value], times rising strictly. */
 static hawser_status points_read(const CaseReader *r, const CaseNode *list, const CaseKey *const keys[2], double *time,
                                  double *value)
 {
@@ -99,7 +99,7 @@ static hawser_status points_read(const CaseReader *r, const CaseNode *list, cons
     return HAWSER_OK;
 }
 
-/* In place of a ramp. */
+/* Reads a table in place of a ramp. */
 static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list,
                                 const CaseSection *section, const char *value, Profile *profile)
 {
@@ -125,7 +125,7 @@ hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const 
                           "value %g s is out of range: must be above 'from', %g s", profile->t1, profile->t0);
 }
 
-/* A winch that takes the rope in stands where rope lies: between the cable's front and the head. */
+/* Checks that a winch that takes the rope in stands between the cable's front and the head, where rope lies. */
 static hawser_status take_in_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -142,7 +142,7 @@ static hawser_status take_in_check(const CaseReader *r, const CaseNode *node)
         def->head_at, head);
 }
 
-/* When the winch trips, and what it does then. */
+/* Reads when the winch trips, and what it does then. */
 static hawser_status trip_read(const CaseReader *r, const CaseNode *node, TripDef *t)
 {
     const hawser_status status = case_section_read(r, node, &trip, t);
@@ -157,7 +157,7 @@ static hawser_status trip_read(const CaseReader *r, const CaseNode *node, TripDe
     return HAWSER_OK;
 }
 
-/* A set tension in place of a speed: what belongs to a speed is not allowed beside it. */
+/* Reads a set tension in place of a speed: keys of a speed are not allowed beside it. */
 static hawser_status pull_read(const CaseReader *r, const CaseNode *winch_node, const CaseNode *node, WinchDef *w)
 {
     const char *const others[] = {"speed", "ramp", "from", "to", "table", "trip"};
@@ -197,7 +197,7 @@ hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const Ca
     return case_profile_read(r, node, section, "tension", &tail->tension);
 }
 
-/* The tension of one cable's tail becomes that of so many (BU10). */
+/* Multiplies the tension of one cable's tail by the number of tails (BU10). */
 static void tails_join(int tails, Profile *p)
 {
     p->v0 *= tails;
@@ -205,7 +205,7 @@ static void tails_join(int tails, Profile *p)
     for (int i = 0; p->kind == PROFILE_TABLE && i < p->n; i++) p->value[i] *= tails;
 }
 
-/* Each of the three is optional: a case without a winch lies still or slides. The drag's velocity function has the
+/* Reads the three optional parts: a case without a winch lies still or slides. The drag's velocity function has the
  * friction law's shape, with mu_s = 1. */
 hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
 {
@@ -223,10 +223,10 @@ hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
 
 /* ------------------------------------------------------------------------------------------------------- script */
 
-/* One row, before it is known which of its values the command has. */
+/* One row, before its values are assigned to the command. */
 typedef struct ScriptRow {
     ScriptDef def;
-    int kind; /* of command_kinds */
+    int kind; /* index in command_kinds */
     double value[5];
 } ScriptRow;
 
@@ -234,7 +234,7 @@ static const char *const value_keys[] = {"speed", "tension", "clamp", "torque", 
 
 enum { VALUES = 5 };
 
-/* What the simulation is told, and when. */
+/* Commands to the simulation, and their times. */
 static const CaseKey command_keys[] = {
     {"at", KEY_NUMBER, DIM_TIME, .required = 1, FROM(0, LATE), AT(ScriptRow, def.at)},
     {"do", KEY_CHOICE, .required = 1, .choices = command_words, AT(ScriptRow, kind)},
@@ -255,7 +255,7 @@ static const CaseKey command_keys[] = {
 
 SECTION(case_command, "drive.script.N", command_keys);
 
-/* The values that the command has, and no others. */
+/* Reads the values of the command, and rejects others. */
 static hawser_status value_find(const CaseReader *r, const CaseNode *node, const CommandKind *kind, ScriptRow *row)
 {
     static const char *const of_force[] = {"place", "force", "moment", "follows"};
@@ -278,7 +278,7 @@ static hawser_status value_find(const CaseReader *r, const CaseNode *node, const
                             case_chain_length(r->def));
 }
 
-/* Whether the case has what is meant. */
+/* Checks that the case has the named thing. */
 static int is_there(const SceneDef *def, int kind, const char *name)
 {
     int found = 0;
@@ -333,19 +333,19 @@ hawser_status case_script_read(CaseReader *r, const CaseNode *node)
                           &r->def->script, &r->def->n_script);
 }
 
-/* The reel: its keys by model, and whether its cable fits on it and reaches the route. */
+/* The reel: its keys by model, and checks that its cable fits on it and reaches the route. */
 
 /* A reel of some model; NAN: not given. */
 typedef struct ReelRecord {
     ReelDef reel;
     int model;
-    double length; /* model weight, and how its tension comes in */
+    double length; /* model weight, and how its tension starts */
     Profile back;
 } ReelRecord;
 
 static const char *const weights[] = {"full", "carried", NULL};
 
-/* The section's being there is what makes a lead-in. */
+/* The section alone makes a lead-in. */
 static const CaseKey lead_in_keys[] = {
     {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInDef, carries_weight)},
     {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInDef, blend)},
@@ -361,7 +361,7 @@ static const char *const ends[] = {"free", "fixed", NULL};
 
 static const char *const brakes[] = {"constant", "proportional", "speed", NULL};
 
-/* A speed is needed by two of the three. */
+/* Two of the three laws require a speed. */
 static const CaseKey brake_keys[] = {
     {"law", KEY_CHOICE, .fallback = "constant", .choices = brakes, AT(ReelDef, brake)},
     {"torque", KEY_NUMBER, DIM_MOMENT, .required = 1, FROM(0, STRONG), AT(ReelDef, torque)},
@@ -373,7 +373,7 @@ static const CaseKey brake_keys[] = {
 
 static SECTION(reel_brake, "reel.brake", brake_keys);
 
-/* Which keys belong to which model the tables below say. */
+/* The tables below list the keys of each model. */
 static const CaseKey reel_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"model", KEY_CHOICE, .fallback = "payout", .choices = models, AT(ReelRecord, model)},
@@ -396,7 +396,7 @@ static const CaseKey reel_keys[] = {
 
 SECTION(case_reel, "reel", reel_keys);
 
-/* In the order of the models: keys that a model has not, and those of its own that have no default. */
+/* In the order of the models: keys that a model does not have, and its own required keys. */
 static const char *const wrong_keys[][12] = {
     {"length", "ramp", "from", "to"},
     {"distance", "barrel", "flange", "width", "inertia", "bearing", "v_s", "end", "brake", "back_tension"},
@@ -418,14 +418,14 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *node, int m
     return HAWSER_OK;
 }
 
-/* The tail has one tension: whoever sets it. */
+/* Checks that only one section sets the tension of the tail. */
 static hawser_status tail_check(const CaseReader *r, const CaseNode *node)
 {
     if (!case_node_key(case_node_key(r->root, "drive"), "tail")) return HAWSER_OK;
     return case_key_error(r->err, node, NULL, "not allowed beside 'drive.tail': both set the tension at the tail");
 }
 
-/* The paper's reel: the weight of a length of cable as tension at the tail (its eq. 3), of what is at the tail. */
+/* Reads the paper's reel: the weight of a length of the cable at the tail, as tension there (its eq. 3). */
 static hawser_status weight_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
     SceneDef *const def = r->def;
@@ -451,7 +451,7 @@ static hawser_status brake_read(const CaseReader *r, const CaseNode *node)
     return case_profile_read(r, node, &reel_brake, "speed", &reel->speed);
 }
 
-/* Cable and rope up to the eye: what the reel may hold, and what of it is wound at the start, m. */
+/* Returns the length of cable and rope up to the eye that is wound on the reel at the start, m. */
 static double wound_at_start(const SceneDef *def)
 {
     double length = -def->head_at - def->reel.distance;
@@ -459,7 +459,7 @@ static double wound_at_start(const SceneDef *def)
     return length;
 }
 
-/* The cable lies on the drum in layers of one pitch. */
+/* Checks that the cable is of one kind: it lies on the drum in layers of one pitch. */
 static hawser_status one_kind_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -476,7 +476,7 @@ static hawser_status one_kind_check(const CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-/* The drum holds the cable: turns between the flanges, layers below their edge. */
+/* Checks that the drum holds the cable: turns between the flanges, layers below their edge. */
 static hawser_status fit_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -501,7 +501,7 @@ static hawser_status fit_check(const CaseReader *r, const CaseNode *node)
         wound, room, winding.turns, cable->diameter);
 }
 
-/* Off the drum the cable reaches the head's place, and what leaves it has become cable before the weight comes in. */
+/* Checks that the reel is at least two segments and half a blend away, and that the cable reaches it. */
 static hawser_status reach_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -524,7 +524,7 @@ static hawser_status payout_read(const CaseReader *r, const CaseNode *node, cons
 {
     r->def->reel = record->reel;
     r->def->reel.model = REEL_PAYOUT;
-    r->def->lead_in.present = 1; /* the cable leaves the drum on it */
+    r->def->lead_in.present = 1; /* the cable leaves the drum on a lead-in */
     const CaseNode *const brake = case_node_key(node, "brake"), *const back = case_node_key(node, "back_tension");
     hawser_status status = brake ? brake_read(r, brake) : HAWSER_OK;
     if (!status) status = tail_check(r, node);
@@ -534,8 +534,8 @@ static hawser_status payout_read(const CaseReader *r, const CaseNode *node, cons
     return status ? status : reach_check(r, node);
 }
 
-/* Every turn touches the drum, and its neighbours: the capsules' geometry has a contact a segment, the smooth line one
- * a passage only. */
+/* Requires smooth contact: every turn touches the drum and its neighbours, and the capsules' geometry has one contact
+ * for each segment, the smooth line one for each passage only. */
 static hawser_status drum_contact_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -551,7 +551,7 @@ static hawser_status drum_contact_check(const CaseReader *r, const CaseNode *nod
     return HAWSER_OK;
 }
 
-/* A drum that is touched; whether the cable fits is said when it is laid (sim/equipment/reel.c). */
+/* Reads a drum with contact; sim/equipment/reel.c checks whether the cable fits when it is laid. */
 static hawser_status contact_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
     SceneDef *const def = r->def;
@@ -585,7 +585,7 @@ static hawser_status contact_read(const CaseReader *r, const CaseNode *node, con
     return status;
 }
 
-/* A case without a reel has a bare tail. */
+/* A case without a reel has a free tail. */
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node)
 {
     ReelRecord record = {.reel = r->def->reel};
@@ -597,7 +597,7 @@ hawser_status case_reel_read(CaseReader *r, const CaseNode *node)
     return record.model == MODEL_WEIGHT ? weight_read(r, node, &record) : payout_read(r, node, &record);
 }
 
-/* Its defaults are read even where there is none, so that the definition is complete. */
+/* Reads the defaults even without the section, so that the definition is complete. */
 hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node)
 {
     r->def->lead_in.present = node != NULL;
@@ -634,10 +634,10 @@ static const CaseKey conveyor_keys[] = {
 
 SECTION(case_conveyor, "conveyors.N", conveyor_keys);
 
-/* How far the route may leave a machine's line, m: a conveyor is straight. */
+/* Largest distance of the route from a machine's line, m: a conveyor is straight. */
 static const double ASIDE_MAX = 0.02;
 
-/* A belt without one runs with the winch, which must then have a speed. */
+/* Checks the belt's drive. A belt without one follows the winch, which must then have a speed. */
 static hawser_status belt_check(const CaseReader *r, const CaseNode *node)
 {
     const WinchDef *drive = &r->def->winch;
@@ -648,7 +648,7 @@ static hawser_status belt_check(const CaseReader *r, const CaseNode *node)
         "set speed");
 }
 
-/* On the route, long enough for its edges, and where the route is straight. */
+/* Checks that a machine is on the route, on a straight part, and long enough for its edges. */
 static hawser_status place_check(const CaseReader *r, const CaseNode *node, const ConveyorDef *c)
 {
     if (c->to <= c->from) {
@@ -705,7 +705,7 @@ static int by_place(const void *a, const void *b)
     return (first->from > second->from) - (first->from < second->from);
 }
 
-/* By place, whatever the order in the file; two machines cannot stand in the same place. */
+/* Sorts the machines by place; two cannot stand in the same place. */
 static hawser_status conveyors_order(const CaseReader *r, const CaseNode *list)
 {
     SceneDef *def = r->def;

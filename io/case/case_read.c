@@ -34,7 +34,7 @@ static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
 static const char *const languages[] = {"en", "zh", "de", NULL};
 
-/* Whose calculation it is. */
+/* Heading of the calculation: client, project and the like. */
 static const CaseKey job_keys[] = {
     {"client", KEY_TEXT, .fallback = "", AT(JobDef, client)},
     {"project", KEY_TEXT, .fallback = "", AT(JobDef, project)},
@@ -90,7 +90,7 @@ static const CaseKey top_keys[] = {
 
 SECTION(case_top, "", top_keys);
 
-/* 0 leaves a tolerance to the accuracy and the scene's scales. */
+/* 0: a tolerance follows from the accuracy and the scene's scales. */
 static const CaseKey tolerances_keys[] = {
     {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
     {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)), AT(SolverDef, atol_rotation)},
@@ -100,7 +100,7 @@ static const CaseKey tolerances_keys[] = {
 
 static SECTION(tolerances, "solver.tolerances", tolerances_keys);
 
-/* Straight into SolverDef. */
+/* The keys fill SolverDef directly. */
 static const CaseKey solver_keys[] = {
     {"accuracy", KEY_ANY, .fallback = "auto", .form = "`auto` or a number", FROM(1e-12, 0.1)},
     {"passes", KEY_CHOICE, .fallback = "auto", .choices = passes_choices, AT(SolverDef, passes)},
@@ -123,7 +123,7 @@ static const CaseKey solver_keys[] = {
 
 SECTION(case_solver, "solver", solver_keys);
 
-/* Gravity: a size, downward, or a vector. */
+/* Reads gravity: a size, downward, or a vector. */
 static hawser_status gravity_read(CaseReader *r, const CaseNode *node)
 {
     CaseKey key = *case_key_of(&case_top, "gravity");
@@ -143,9 +143,9 @@ static hawser_status gravity_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-static const double ACCURACY = 1e-3; /* of `auto`; a second pass takes less */
+static const double ACCURACY = 1e-3; /* for `auto`; a second pass takes a smaller one */
 
-/* Its table fills SolverDef itself, but for `accuracy: auto`; the threads are the linear solver's too. */
+/* Its table fills SolverDef itself, except `accuracy: auto`; the threads also apply to the linear solver. */
 static hawser_status solver_read(CaseReader *r, const CaseNode *node)
 {
     SolverDef *solver = &r->def->solver;
@@ -159,7 +159,7 @@ static hawser_status solver_read(CaseReader *r, const CaseNode *node)
     return case_number_read(r, given, case_key_of(&case_solver, "accuracy"), &solver->accuracy);
 }
 
-/* The parts in an order in which each finds what it is checked against. */
+/* The parts in an order in which each finds the parts that it is checked against. */
 static const struct {
     const char *key;
     hawser_status (*read)(CaseReader *r, const CaseNode *node);
@@ -199,8 +199,8 @@ static const struct {
     {"cables", case_assumptions_read},
 };
 
-/* The case's own file and those of the catalogue that it has taken from; those of routes and drawings are added where
- * they are read. */
+/* Lists the case's own file and the catalogue files that it has used; those of routes and drawings are added where they
+ * are read. */
 static hawser_status files_note(const CaseTree *tree, const Library *library, SceneDef *def, hawser_error *err)
 {
     hawser_status status = tree->path ? file_marks_add(&def->files, tree->path, err) : HAWSER_OK;
@@ -209,8 +209,8 @@ static hawser_status files_note(const CaseTree *tree, const Library *library, Sc
     return status;
 }
 
-/* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
- * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
+/* Frees the reader's own memory on every way out, and the definition if there is an error. Values of the catalogue are
+ * in a copy of the tree, so that a later setting finds the case as it was written. */
 static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .folder = tree->folder, .err = err};
@@ -219,7 +219,7 @@ static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_e
     scene_def_defaults(def);
     hawser_status status = r.units ? library_expand(tree, &typed, &library, err) : error_memory(err);
     if (!status && !typed && case_node_key(tree->root, "drawing")) {
-        typed = node_clone(tree->root, NULL); /* a drawing adds to it */
+        typed = node_clone(tree->root, NULL); /* a drawing adds to the copy */
         if (!typed) status = error_memory(err);
     }
     if (typed) r.root = r.own = typed;
@@ -239,7 +239,7 @@ static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_e
 
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    CaseTree *plain = NULL; /* with its keys' own names; NULL: the tree has no others */
+    CaseTree *plain = NULL; /* copy with its keys' own names; NULL: the tree has no others */
     hawser_status status = case_synonyms(tree, &plain, err);
     const CaseTree *const read = plain ? plain : tree;
     if (status) return status;
@@ -251,8 +251,8 @@ hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
     return status;
 }
 
-/* Keys by the other names that people type, in the tree before it is read: a duct's diameter for its radius, a bend's
- * angle, a straight's length. */
+/* Other names of keys that people type, replaced in the tree before it is read: a duct's diameter for its radius, a
+ * bend's angle, a straight's length. */
 
 static const Synonym synonyms[] = {
     {"surfaces", "ducts", "diameter", "radius", 1},        {"surfaces", "ducts", "inner diameter", "radius", 1},
@@ -265,7 +265,7 @@ enum { SYNONYMS = sizeof synonyms / sizeof *synonyms };
 
 const Synonym *case_synonym(int i) { return i < SYNONYMS ? &synonyms[i] : NULL; }
 
-/* Gives a node of the tree its key's own name. */
+/* Renames a node of the tree to its key's own name. */
 static hawser_status rename_node(const Units *units, const Synonym *s, CaseNode *node, hawser_error *err)
 {
     char half[64];
@@ -286,7 +286,7 @@ static hawser_status rename_node(const Units *units, const Synonym *s, CaseNode 
     return HAWSER_OK;
 }
 
-/* One synonym in all items of its list; *met counts them. */
+/* Applies one synonym to all items of its list; *met counts them. */
 static hawser_status synonym_apply(const Units *units, const Synonym *s, const CaseNode *root, int change, int *met,
                                    hawser_error *err)
 {
@@ -319,7 +319,7 @@ hawser_status case_synonyms(const CaseTree *tree, CaseTree **plain, hawser_error
     return status;
 }
 
-/* What is asked of a run and for how long, and the lists of what is asked of theory. */
+/* Analysis and duration of a run, and the lists of the section `theory`. */
 
 static const char *const analyses[] = {"dynamics", "static", "modes", "positions", NULL};
 
@@ -338,7 +338,7 @@ static const CaseKey positions_keys[] = {
 
 static SECTION(case_positions, "run.positions", positions_keys);
 
-/* What belongs to which analysis keys_check says. */
+/* keys_check checks which keys belong to which analysis. */
 static const CaseKey run_keys[] = {
     {"analysis", KEY_CHOICE, .fallback = "dynamics", .choices = analyses, AT(SceneDef, analysis.kind)},
     {"duration", KEY_NUMBER, DIM_TIME,
@@ -359,7 +359,7 @@ static const CaseKey run_keys[] = {
 
 SECTION(case_run, "run", run_keys);
 
-/* Keys that say nothing in this analysis are mistakes. */
+/* Rejects keys that have no effect in this analysis. */
 static hawser_status keys_check(const CaseReader *r, const CaseNode *node, AnalysisKind analysis)
 {
     static const char *const keys[] = {"load_steps", "tolerance", "stability", "modes"};
@@ -371,7 +371,7 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *node, Analy
     return HAWSER_OK;
 }
 
-/* A list of places of the front, or evenly spaced ones. */
+/* Reads a list of places of the front, or evenly spaced ones. */
 static hawser_status positions_read(const CaseReader *r, const CaseNode *node)
 {
     PositionsDef *const p = &r->def->analysis.positions;
@@ -389,7 +389,7 @@ static hawser_status positions_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* How long a rod's loads take nothing but the case can say. */
+/* The duration of a rod's loads has no default. */
 hawser_status case_run_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -404,10 +404,10 @@ hawser_status case_run_read(CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-static const double LEAST_WAY = 1; /* m that a cable is pulled whose front is at the route's end already */
+static const double LEAST_WAY = 1; /* m, length of a pull whose front is at the route's end already */
 
-/* The time in which the winch hauls the cable's front from where it is to the route's end, its ramp included; NAN if it
- * never gets there, or sets no speed. */
+/* Returns the time in which the winch hauls the cable's front from its place to the route's end, ramp included; NAN if
+ * it does not get there, or has no set speed. */
 static double time_to_end(const SceneDef *def, double route_length)
 {
     const Profile *const speed = &def->winch.speed;
@@ -443,7 +443,7 @@ void case_cost_say(const CaseReader *r, double segments, double rollers, int siz
              rollers > segments ? "rollers" : "segments", needs);
 }
 
-/* The steady window ends with the run, so it must begin before that. */
+/* Checks that the steady window begins before the run ends. */
 hawser_status case_run_complete(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -504,7 +504,8 @@ static hawser_status friction_item(const CaseReader *r, const CaseNode *node, vo
                             " is out of range: the stretch must not end at %g m, where it begins, or before", f->from);
 }
 
-/* Lengths rise; where wear goes by the place friction does not fall, so that the cable's end meets the most of it. */
+/* Checks that lengths rise, and that with wear by place friction does not fall, so that the cable's end meets the
+ * largest. */
 static hawser_status wear_item(const CaseReader *r, const CaseNode *node, void *item)
 {
     PlanWear *const w = item;
@@ -520,7 +521,7 @@ static hawser_status wear_item(const CaseReader *r, const CaseNode *node, void *
                             " is out of range: with 'wear_by: place' it must not fall, from %g", before);
 }
 
-/* A place inside the route. */
+/* Reads a place inside the route. */
 static hawser_status place_item(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *item)
 {
     TheoryPlaceDef *const place = item;
@@ -567,7 +568,7 @@ static const CaseKey station_keys[] = {
 
 static SECTION(station, "output.stations.list.N", station_keys);
 
-/* Where stations are wanted. Both at once are allowed. */
+/* Stations of the results. Both keys may be given together. */
 static const CaseKey stations_keys[] = {
     {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "those of the list alone", ABOVE(0, LONG), .size = sizeof(double)},
     {"list", KEY_LIST, .otherwise = "none", .form = "stations one by one", .section = &station},
@@ -594,7 +595,7 @@ typedef struct TermRecord {
     double slope, length, arc, from, to;
 } TermRecord;
 
-/* Which keys belong to slopes and which to arcs term_keys_check says. */
+/* term_keys_check checks which keys belong to slopes and which to arcs. */
 static const CaseKey paper_term_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
     {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(DEGREES(-89), DEGREES(89)),
@@ -625,14 +626,14 @@ SECTION(case_paper, "paper", paper_keys);
 /* Stations nearer to each other than this are one, m. */
 static const double SAME_PLACE = 1e-6, USUAL_SPACING = 2;
 
-/* For qsort: by place along the route. */
+/* Comparison for qsort: by place along the route. */
 static int station_order(const void *a, const void *b)
 {
     const double sa = ((const StationDef *)a)->s, sb = ((const StationDef *)b)->s;
     return (sa > sb) - (sa < sb);
 }
 
-/* A station must be on the route: beyond its end there is no theory to compare with. */
+/* Rejects a station off the route: there is no theory beyond its end. */
 static hawser_status station_read(const CaseReader *r, const CaseNode *node, StationDef *out)
 {
     const hawser_status status = case_section_read(r, node, &station, out);
@@ -641,7 +642,7 @@ static hawser_status station_read(const CaseReader *r, const CaseNode *node, Sta
                             " is out of range: must be on the route, at most %.10g m", r->route.length);
 }
 
-/* Adds a station at each multiple of the spacing where none is yet; they are named by their place. */
+/* Adds a station at each multiple of the spacing where there is none yet, named by its place. */
 static void stations_space(SceneDef *def, double length, double spacing)
 {
     const int named = def->n_stations;
@@ -656,7 +657,7 @@ static void stations_space(SceneDef *def, double length, double spacing)
     }
 }
 
-/* Named stations and evenly spaced ones, by rising s. */
+/* Fills named stations and evenly spaced ones, by rising s. */
 static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, const CaseNode *list, double spacing)
 {
     SceneDef *def = r->def;
@@ -676,18 +677,18 @@ static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, co
     return HAWSER_OK;
 }
 
-/* Without the key there is a station every 2 m, at most about 1000 of them. */
+/* Places a station every 2 m, at most about 1000 of them, without the key. */
 static hawser_status stations_read(const CaseReader *r, const CaseNode *node)
 {
     double spacing = USUAL_SPACING;
-    if (r->def->rod.present) return HAWSER_OK; /* nothing lies along a route */
+    if (r->def->rod.present) return HAWSER_OK; /* there are no stations without a route */
     if (!node) return stations_fill(r, NULL, NULL, fmax(USUAL_SPACING, r->route.length / 1000));
     if (node->kind == NODE_LIST) return stations_fill(r, node, node, NAN);
     const hawser_status status = case_section_read(r, node, &stations, &spacing);
     return status ? status : stations_fill(r, node, case_node_key(node, "list"), spacing);
 }
 
-/* Segments whose speeds are wanted; by default the first, the one behind the eye, the last. */
+/* Reads the segments whose speeds are recorded; default: the first, the one behind the eye, the last. */
 static hawser_status speeds_read(const CaseReader *r, const CaseNode *list)
 {
     OutputDef *out = &r->def->output;
@@ -707,7 +708,7 @@ static hawser_status speeds_read(const CaseReader *r, const CaseNode *list)
     return HAWSER_OK;
 }
 
-/* The roller of that name; -1: there is none. */
+/* Returns the roller of that name; -1: there is none. */
 static int roller_named(const SceneDef *def, const char *name)
 {
     for (int i = 0; i < def->n_rollers; i++) {
@@ -716,7 +717,7 @@ static int roller_named(const SceneDef *def, const char *name)
     return -1;
 }
 
-/* Rollers whose loads are wanted over time, by their names; none unless asked for. */
+/* Reads the names of rollers whose loads are recorded over time; default: none. */
 static hawser_status loads_read(const CaseReader *r, const CaseNode *list)
 {
     OutputDef *out = &r->def->output;
@@ -737,7 +738,7 @@ static hawser_status loads_read(const CaseReader *r, const CaseNode *list)
     return HAWSER_OK;
 }
 
-/* How often something may be written: the run must end. */
+/* Limits the number of outputs. */
 static hawser_status interval_check(const CaseReader *r, const CaseNode *node, const char *key, double interval)
 {
     if (interval <= 0 || r->def->duration <= interval * CASE_OUTPUTS_MAX) return HAWSER_OK;
@@ -752,7 +753,7 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
         CASE_OUTPUTS_MAX, cost_of(&counts).disk / 1e9);
 }
 
-/* Needs the run's duration, the route and the chain to check against. In load steps every one is a row. */
+/* Requires the run's duration, the route and the chain. Each load step is a row. */
 hawser_status case_output_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -770,7 +771,7 @@ hawser_status case_output_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* The keys of the other kind of term are mistakes; its own are needed. */
+/* Rejects keys of the other kind of term, and requires its own. */
 static hawser_status term_keys_check(const CaseReader *r, const CaseNode *node, int arc)
 {
     static const char *const keys[3] = {"length", "from", "to"};
@@ -789,7 +790,7 @@ static hawser_status term_keys_check(const CaseReader *r, const CaseNode *node, 
     return HAWSER_OK;
 }
 
-/* One slope or arc of the paper's path. */
+/* Reads one slope or arc of the paper's path. */
 static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperTermDef *term)
 {
     TermRecord record = {0};
@@ -811,7 +812,7 @@ static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperT
     return HAWSER_OK;
 }
 
-/* Reel or rope, as a length of cable; none if the length is 0. */
+/* Adds the length of cable for reel or rope; none if the length is 0. */
 static void allowance_add(SceneDef *def, PaperTermKind kind, const char *name, double length)
 {
     if (length <= 0) return;
@@ -820,7 +821,7 @@ static void allowance_add(SceneDef *def, PaperTermKind kind, const char *name, d
     strcpy(term->name, name);
 }
 
-/* The paper's path and the route stand for the same tunnel: their lengths agree within 1 %. */
+/* Checks that the lengths of the paper's path and of the route agree within 1 %. */
 static hawser_status path_check(const CaseReader *r, const CaseNode *node)
 {
     double path = 0;
@@ -830,7 +831,7 @@ static hawser_status path_check(const CaseReader *r, const CaseNode *node)
                           path, r->route.length);
 }
 
-/* Reel first, then the path, then the rope: the order of the paper's eq. 10. */
+/* Adds the reel first, then the path, then the rope: the order of the paper's eq. 10. */
 hawser_status case_paper_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -849,7 +850,7 @@ hawser_status case_paper_read(CaseReader *r, const CaseNode *node)
     return status ? status : path_check(r, node);
 }
 
-/* What theory adds to the scene, and what is allowed. */
+/* Sections `theory` and `limits`. */
 
 /* In the order of the enumerations that they stand for. */
 static const char *const codes[] = {"paper", "tb889", "aeic", "ieee1185", "iec", "tes", "gb50217", NULL};
@@ -868,7 +869,7 @@ static const char *const metals[] = {"copper", "aluminium", NULL};
 
 static const char *const sheaths[] = {"pe", "xlpe", "lead", "copper", "aluminium", NULL};
 
-/* Straight into TheoryDef. */
+/* The keys fill TheoryDef directly. */
 static const CaseKey theory_keys[] = {
     {"cables", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(TheoryDef, cables)},
     {"layout", KEY_CHOICE, .fallback = "auto", .choices = case_layouts, AT(TheoryDef, layout)},
@@ -907,7 +908,8 @@ static const CaseKey sheath_keys[] = {
 
 static SECTION(sheath, "limits.sheath", sheath_keys);
 
-/* Straight into LimitsDef, the two sections included. Which values exclude each other case_limits_read says. */
+/* The keys fill LimitsDef directly, including the two sections. case_limits_read rejects values that exclude each
+ * other. */
 static const CaseKey limits_keys[] = {
     {"code", KEY_CHOICE, .fallback = "paper", .choices = codes, AT(LimitsDef, code)},
     {"attachment", KEY_CHOICE, .fallback = "eye", .choices = devices, AT(LimitsDef, device)},
@@ -949,7 +951,7 @@ hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
     return status ? status : case_planner_read(r, node);
 }
 
-/* Of two keys that say the same thing one is enough. */
+/* Rejects the second of two keys with the same meaning. */
 static hawser_status either_check(const CaseReader *r, const CaseNode *node, const char *one, const char *other)
 {
     const CaseNode *const found = case_node_key(node, other);
@@ -961,7 +963,7 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
 {
     LimitsDef *const limits = &r->def->limits;
     const CaseNode *const metal = case_node_key(node, "conductor"), *const cover = case_node_key(node, "sheath");
-    if (!node) return HAWSER_OK; /* nothing is judged */
+    if (!node) return HAWSER_OK; /* no limits are judged */
     hawser_status status = case_section_read(r, node, &case_limits, limits);
     limits->attachment = limits->device < DEVICE_NET ? ATTACH_EYE : ATTACH_NET;
     if (!status && metal) status = case_section_read(r, metal, &conductor, limits);
@@ -980,28 +982,28 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* Edits of a case's text, so that comments and layout stay: today's words (keys by their own names and the number of
- * the format), and more items in a list. */
+/* Edits of a case's text, with comments and layout kept: keys by their own names and the present format, and new items
+ * in a list. */
 
-/* What replaces bytes `from` to `to`. */
+/* Replacement of the bytes `from` to `to`. */
 typedef struct Edit {
     size_t from, to;
     char *by; /* owned */
 } Edit;
 
 typedef struct Edits {
-    const char *mark, *text, *name; /* borrowed; mark: of the byte order, or nothing, before the text */
+    const char *mark, *text, *name; /* borrowed; mark: the byte order mark before the text, or nothing */
     yaml_document_t document;
     Units *units;
     int n;
     Edit *edit;       /* [n] */
-    const char *list; /* of the section `theory`, to get more items: */
+    const char *list; /* list of the section `theory` that gets new items: */
     int n_rows;
     char *const *row; /* [n_rows] */
     hawser_error *err;
 } Edits;
 
-/* The byte at which a mark stands: libyaml counts characters. */
+/* Returns the byte of a character's position: libyaml counts characters. */
 static size_t byte_at(const char *text, size_t character)
 {
     const char *at = text;
@@ -1018,7 +1020,7 @@ static hawser_status edit_add(Edits *e, size_t from, size_t to, const char *by)
     return e->edit[e->n++].by ? HAWSER_OK : error_memory(e->err);
 }
 
-/* The pair of a map by its key; NULL: there is none, or it is no map. */
+/* Returns the pair of a map by its key; NULL: there is none, or it is no map. */
 static const yaml_node_pair_t *pair_of(Edits *e, const yaml_node_t *map, const char *key)
 {
     if (!map || map->type != YAML_MAPPING_NODE) return NULL;
@@ -1035,7 +1037,7 @@ static const yaml_node_t *value_of(Edits *e, const yaml_node_t *map, const char 
     return pair ? yaml_document_get_node(&e->document, pair->value) : NULL;
 }
 
-/* A scalar that stands in one line, in the quotes that it has. 0: it does not, or only another name of it does. */
+/* Replaces a scalar within one line, in the same quotes. Returns 0 if it is none. */
 static int scalar_edit(Edits *e, const yaml_node_t *node, const char *by, hawser_status *status)
 {
     const char *const quote = node->data.scalar.style == YAML_DOUBLE_QUOTED_SCALAR_STYLE   ? "\""
@@ -1048,7 +1050,7 @@ static int scalar_edit(Edits *e, const yaml_node_t *node, const char *by, hawser
     return 1;
 }
 
-/* One key of one item. */
+/* Edits one key of one item. */
 static hawser_status item_edit(Edits *e, const Synonym *s, const yaml_node_pair_t *pair)
 {
     const yaml_node_t *const key = yaml_document_get_node(&e->document, pair->key), *const value =
@@ -1087,7 +1089,7 @@ static const char *line_end(const Edits *e)
     return newline && newline > e->text && newline[-1] == '\r' ? "\r\n" : "\n";
 }
 
-/* The format's number stands before all other keys. */
+/* Writes the format before all other keys. */
 static hawser_status format_edit(Edits *e)
 {
     const yaml_node_t *const root = yaml_document_get_root_node(&e->document), *const first = yaml_document_get_node(
@@ -1118,7 +1120,7 @@ static char *edited(const Edits *e)
     char *const out = malloc(size), *at = out ? out + mark : NULL;
     if (out) memcpy(out, e->mark, mark);
     for (int i = 0; out && i < e->n; ++i) {
-        if (e->edit[i].from < from) continue; /* an item that stands for several is found several times */
+        if (e->edit[i].from < from) continue; /* an item with aliases is found several times */
         memcpy(at, e->text + from, e->edit[i].from - from);
         at = stpcpy(at + (e->edit[i].from - from), e->edit[i].by);
         from = e->edit[i].to;
@@ -1137,7 +1139,7 @@ static hawser_status upgrades_find(Edits *e)
 
 /* ------------------------------------------------------------------------------------------------- more items */
 
-/* "before row between row behind". */
+/* Returns "before row between row behind". */
 static char *rows_join(const Edits *e, const char *before, const char *first, const char *between, const char *behind)
 {
     size_t size = strlen(before) + strlen(behind) + 1;
@@ -1165,8 +1167,8 @@ static int is_flow(const yaml_node_t *node)
                                            : node->data.sequence.style == YAML_FLOW_SEQUENCE_STYLE;
 }
 
-/* A list that is there gets them before its first item, a map that has none a new one before its first key, a case
- * without the map both at its end. */
+/* Inserts the items before the first item of an existing list, in a new list before the first key of an existing map,
+ * or in both at the end of the case. */
 static hawser_status rows_find(Edits *e)
 {
     const yaml_node_t *const root = yaml_document_get_root_node(&e->document), *const map = value_of(e, root, "theory"),
@@ -1204,7 +1206,7 @@ static hawser_status rows_find(Edits *e)
                      e->name);
 }
 
-/* Edits that are found in a case's text, made; the text is a case before and after. */
+/* Finds the edits of a case's text and applies them; the text is a case before and after. */
 static hawser_status edits_make(Edits *e, hawser_status (*find)(Edits *e), char **out)
 {
     CaseTree *tree = NULL;
@@ -1262,9 +1264,9 @@ hawser_status case_theory_insert(const char *text, const char *name, const char 
     return edits_make(&e, rows_find, out);
 }
 
-/* The tables of a case's keys as a JSON Schema: draft 2020-12, so that editors complete and check a case. A section is
- * a definition by its path. What a schema has no word for stands behind "x-": the quantity, the unit of a plain number,
- * what an absent key means. */
+/* Writes the tables of a case's keys as a JSON Schema, draft 2020-12, with which editors complete and check a case. A
+ * section is a definition under its path. Properties without a schema keyword begin with "x-": the quantity, the unit
+ * of a plain number, the meaning of an absent key. */
 
 /* The document being made; failed: there was no memory for a part. */
 typedef struct Writer {
@@ -1289,7 +1291,7 @@ static void put_text(Writer *w, json_t *o, const char *key, const char *text)
     if (text && *text) put(w, o, key, json_string(text));
 }
 
-/* Whether a number may stand without a unit: then it is in SI. */
+/* Checks whether a number may be without a unit: it is in SI then. */
 static int is_plain(const Units *units, Dimension dimension)
 {
     char why[UNITS_WHY_MAX];
@@ -1299,7 +1301,7 @@ static int is_plain(const Units *units, Dimension dimension)
 
 static void number_set(Writer *w, json_t *o, const CaseKey *key)
 {
-    const int plain = is_plain(w->units, key->dimension); /* without a unit 0 alone may stand elsewhere */
+    const int plain = is_plain(w->units, key->dimension); /* in other places only 0 may be without a unit */
     put(w, o, "type", json_pack("[s,s]", "number", "string"));
     put(w, o, "pattern", json_string("[0-9]"));
     put(w, o, key->above ? "exclusiveMinimum" : "minimum", json_real(plain ? key->min : fmax(key->min, 0)));
@@ -1320,7 +1322,7 @@ static void description_set(Writer *w, json_t *o, const CaseSection *section, co
     free(text);
 }
 
-/* A choice that is a number or a truth stands as one, too. */
+/* Also allows a choice that is a number or a truth value as one. */
 static void choices_set(Writer *w, json_t *o, const CaseKey *key)
 {
     json_t *const all = json_array();
@@ -1343,7 +1345,7 @@ static int is_by_name(const CaseSection *section)
     return last && !strcmp(last, ".NAME");
 }
 
-/* A map of one's own keys, or of keys that the user chooses. */
+/* Describes a map with keys of its own, or with keys that the user chooses. */
 static void map_set(Writer *w, json_t *o, const CaseKey *key)
 {
     put(w, o, "type", json_string("object"));
@@ -1354,7 +1356,7 @@ static void map_set(Writer *w, json_t *o, const CaseKey *key)
         put_all(w, o, ref_to(key->section));
 }
 
-/* One of a section, a list of them (or of what its key `list` holds), or what is said in words. */
+/* Allows a section, a list of sections (or of the items of its key `list`), or a plain value. */
 static void any_set(Writer *w, json_t *o, const CaseKey *key)
 {
     if (!key->section) return;
@@ -1405,7 +1407,7 @@ static json_t *key_json(Writer *w, const CaseSection *section, const CaseKey *ke
     return o;
 }
 
-/* Whether a synonym is of a section's items: "surfaces", "ducts" of "surfaces.ducts.N". */
+/* Checks whether a synonym belongs to a section's items: "surfaces", "ducts" to "surfaces.ducts.N". */
 static int is_synonym_of(const Synonym *s, const CaseSection *section)
 {
     char path[64];
@@ -1413,7 +1415,7 @@ static int is_synonym_of(const Synonym *s, const CaseSection *section)
     return !strcmp(path, section->path);
 }
 
-/* Other names that people type are there, but not offered. */
+/* Allows other names that people type, without offering them. */
 static void synonyms_add(Writer *w, const CaseSection *section, json_t *keys, const CaseKey *key, int *required)
 {
     const Synonym *s;
@@ -1426,7 +1428,7 @@ static void synonyms_add(Writer *w, const CaseSection *section, json_t *keys, co
     }
 }
 
-/* How many keys have that section. */
+/* Counts the keys with that section. */
 static int places_of(const CaseSection *const all[], int n, const CaseSection *section)
 {
     int places = 0;
@@ -1435,8 +1437,8 @@ static int places_of(const CaseSection *const all[], int n, const CaseSection *s
     return places;
 }
 
-/* What the catalogue may give (`type`), or a drawing where a section stands in several places, need not stand in the
- * case. */
+/* Required keys are optional where the catalogue (`type`) may give them, or a drawing, in a section with several
+ * places. */
 static json_t *section_json(Writer *w, const CaseSection *section, int alone)
 {
     json_t *const keys = json_object(), *const required = json_array();

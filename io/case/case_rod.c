@@ -1,4 +1,4 @@
-/* A rod: its shape, what must not stand beside it. */
+/* A rod: its shape, and the keys that it excludes. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 static const char *const shapes[] = {"straight", "arc", "helix", "polyline", NULL};
 
-/* Which keys belong to which shape shape_keys_check says; roll_end becomes a rate once it is read. */
+/* shape_keys_check checks which keys belong to which shape; roll_end becomes a rate once it is read. */
 static const CaseKey rod_keys[] = {
     {"shape", KEY_CHOICE, .fallback = "straight", .choices = shapes, AT(SceneDef, rod.shape)},
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(SceneDef, route_start)},
@@ -35,7 +35,7 @@ static const CaseKey rod_keys[] = {
 
 SECTION(case_rod, "rod", rod_keys);
 
-/* Keys that a shape needs (bit of the shape in `needs`), may have or must not have. */
+/* Checks the keys that a shape requires (bit of the shape in `needs`), may have or must not have. */
 static hawser_status shape_keys_check(const CaseReader *r, const CaseNode *node, int shape)
 {
     static const struct {
@@ -58,7 +58,7 @@ static hawser_status shape_keys_check(const CaseReader *r, const CaseNode *node,
     return HAWSER_OK;
 }
 
-/* The corners of a polyline, two at least, no two neighbours in one place; as long as the chain. */
+/* Reads the corners of a polyline, at least two, no two neighbours in one place, as long as the chain. */
 static hawser_status points_read(const CaseReader *r, const CaseNode *list)
 {
     RodDef *const rod = &r->def->rod;
@@ -85,7 +85,7 @@ static hawser_status points_read(const CaseReader *r, const CaseNode *list)
                             chain, length);
 }
 
-/* A segment is a chord: it must not be longer than the radius. */
+/* Checks that no segment, which is a chord, is longer than the radius. */
 static hawser_status radius_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
@@ -95,7 +95,7 @@ static hawser_status radius_check(const CaseReader *r, const CaseNode *node)
     return case_value_error(r->err, value, " is out of range: must be the length of a segment at least, %g m", longest);
 }
 
-/* The rest of the scene reckons with a route: a straight of the chain's length, on which nothing stands. */
+/* Builds a straight route of the chain's length, without equipment: the rest of the scene requires a route. */
 static hawser_status route_stand_in(CaseReader *r)
 {
     SceneDef *const def = r->def;
@@ -125,7 +125,7 @@ hawser_status case_rod_read(CaseReader *r, const CaseNode *node)
     return status ? status : case_rod_loads_read(r, node);
 }
 
-/* Cables of the chain that bend along a table. */
+/* Checks the cables of the chain that bend by a table. */
 static hawser_status bending_check(const CaseReader *r)
 {
     for (int p = 0; p < r->def->n_pieces; ++p) {
@@ -157,9 +157,9 @@ hawser_status case_rod_check(CaseReader *r, const CaseNode *node)
                           "only a 'rod' can be analysed so: expected dynamics or positions");
 }
 
-/* What holds, leads and loads a rod. */
+/* Supports, prescribed motions and loads of a rod. */
 
-/* One of four kinds of motion; either a force or a moment. The profile's own value is not used. */
+/* Requires one of four kinds of motion; either a force or a moment. The profile's own value is not used. */
 enum { MOTION_KINDS = 4 };
 
 typedef struct RodMotionRecord {
@@ -192,7 +192,7 @@ static const CaseKey rod_motion_keys[] = {
 
 static SECTION(rod_motion, "rod.tail.motion.N", rod_motion_keys);
 
-/* The same for both ends. */
+/* Keys of both ends. */
 static const CaseKey rod_end_keys[] = {
     {"fixing", KEY_CHOICE, .fallback = "clamped", .choices = fixings, .size = sizeof(int)},
     {"hold", KEY_LIST, .otherwise = "none: `held` needs it",
@@ -240,7 +240,7 @@ static const CaseKey factor_keys[] = {
 
 static const CaseSection factor_rows = {"", 2, factor_keys};
 
-/* In load steps a load without a ramp grows with time, from nothing to its value at the end. */
+/* In load steps a load without a ramp grows in proportion to time, from zero to its value at the end. */
 static hawser_status proportional(const CaseReader *r, double value, RodProfile *by)
 {
     if (!profile_table(&by->size, 2)) return error_memory(r->err);
@@ -249,7 +249,7 @@ static hawser_status proportional(const CaseReader *r, double value, RodProfile 
     return HAWSER_OK;
 }
 
-/* Value, ramp or table along a direction; `grows`: in load steps it does so where it has neither. */
+/* Reads value, ramp or table along a direction; `grows`: in load steps a value without ramp and table grows so. */
 static hawser_status profile_read(const CaseReader *r, const CaseNode *node, double value, int grows, RodProfile *by)
 {
     const int table = case_node_key(node, "table") != NULL;
@@ -264,7 +264,7 @@ static hawser_status profile_read(const CaseReader *r, const CaseNode *node, dou
     return status;
 }
 
-/* Of two keys that stand for two kinds exactly one is given: 1 if the second. */
+/* Requires exactly one of two keys that stand for two kinds: 1 if it is the second. */
 static hawser_status either(const CaseReader *r, const CaseNode *node, const char *first, const char *second,
                             int *which)
 {
@@ -275,7 +275,7 @@ static hawser_status either(const CaseReader *r, const CaseNode *node, const cha
                           a ? "given beside the other" : "missing", first, second);
 }
 
-/* A place on the chain. */
+/* Checks a place on the chain. */
 static hawser_status place_check(const CaseReader *r, const CaseNode *node, double at)
 {
     const double length = case_chain_length(r->def);
@@ -286,7 +286,7 @@ static hawser_status place_check(const CaseReader *r, const CaseNode *node, doub
 
 /* ------------------------------------------------------------------------------------------------------ ends */
 
-/* The components by their names, as in a preload. */
+/* Reads the components by their names, as in a preload. */
 static hawser_status hold_read(const CaseReader *r, const CaseNode *list, RodEndDef *end)
 {
     static const char *const names[] = {"axial", "shear_y", "shear_z", "torsion", "bending_y", "bending_z", NULL};
@@ -301,7 +301,7 @@ static hawser_status hold_read(const CaseReader *r, const CaseNode *list, RodEnd
     return HAWSER_OK;
 }
 
-/* What the word means; a list belongs to `held` alone. */
+/* Sets the components that the word holds; a list is for `held` alone. */
 static hawser_status fixing_read(const CaseReader *r, const CaseNode *node, int fixing, RodEndDef *end)
 {
     const CaseNode *const hold = case_node_key(node, "hold");
@@ -318,7 +318,7 @@ static hawser_status fixing_read(const CaseReader *r, const CaseNode *node, int 
     return held ? hold_read(r, hold, end) : HAWSER_OK;
 }
 
-/* Which of the four kinds is given: exactly one. */
+/* Finds which of the four kinds is given: exactly one. */
 static hawser_status kind_find(const CaseReader *r, const CaseNode *node, int *kind)
 {
     static const char *const keys[MOTION_KINDS] = {"move", "turn", "speed", "spin"};

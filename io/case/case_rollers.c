@@ -7,7 +7,7 @@
 #include "io/case/case_parts.h"
 #include "io/case/drawing.h"
 
-/* Which belongs to which profile, and how they go with the cable, is checked below. */
+/* The functions below check which key belongs to which profile, and whether the values fit the cable. */
 static const CaseKey groove_keys[] = {
     {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(20), DEGREES(170)), AT(GrooveRecord, angle)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "1.25 times the thickest cable's", ABOVE(0, 1e3),
@@ -20,7 +20,7 @@ SECTION(case_groove, "rollers.along.groove", groove_keys);
 
 static const double RIGHT_ANGLE = 1.57079632679489662;
 
-/* A key that the profile has no use for. */
+/* Rejects keys that the profile does not use. */
 static hawser_status stray_check(const CaseReader *r, const CaseNode *node, int profile)
 {
     static const char *const stray[SHAPE_KINDS] = {NULL, "radius", "angle"};
@@ -34,7 +34,7 @@ static hawser_status stray_check(const CaseReader *r, const CaseNode *node, int 
     return case_key_error(r->err, key, NULL, "only for 'profile: %s'", profile == SHAPE_V_GROOVE ? "u" : "v");
 }
 
-/* The key where it was written, or the row or roller that lacks it. */
+/* Points at the key where it was written, or at the row or roller that lacks it. */
 static hawser_status groove_error(const CaseReader *r, const CaseNode *node, const char *name, const char *text,
                                   double value)
 {
@@ -44,7 +44,7 @@ static hawser_status groove_error(const CaseReader *r, const CaseNode *node, con
     return case_key_error(r->err, node, "groove", text, value);
 }
 
-/* Both flanks touch the cable if the groove is deep enough (GR6). */
+/* Makes a groove whose flanks both touch the cable, if it is deep enough (GR6). */
 static hawser_status v_make(const CaseReader *r, const CaseNode *node, const GrooveRecord *d, double cable,
                             Groove *groove)
 {
@@ -58,7 +58,7 @@ static hawser_status v_make(const CaseReader *r, const CaseNode *node, const Gro
                         least);
 }
 
-/* The arc is wider than the cable and no more than a half circle. */
+/* Makes a groove with an arc wider than the cable and no more than a half circle. */
 static hawser_status u_make(const CaseReader *r, const CaseNode *node, const GrooveRecord *d, double cable,
                             Groove *groove)
 {
@@ -90,7 +90,7 @@ hawser_status case_groove_make(const CaseReader *r, const CaseNode *node, int pr
     return status;
 }
 
-/* A plain bush on a steel pin, greased; sim/equipment/rollers.h. */
+/* Defaults: a plain bush on a steel pin, greased; sim/equipment/rollers.h. */
 static const CaseKey bearing_keys[] = {
     {"friction", KEY_NUMBER, .fallback = "0.1", FROM(0, 10), AT(SpinDef, friction)},
     {"journal", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 1e3), AT(SpinDef, journal)},
@@ -100,7 +100,7 @@ static const CaseKey bearing_keys[] = {
 
 static SECTION(bearing, "rollers.along.spin.bearing", bearing_keys);
 
-/* How a motor is given: exactly one of torque, speed and factor. */
+/* A motor as given: exactly one of torque, speed and factor. */
 typedef struct MotorRecord {
     double torque, speed; /* N m, m/s */
     MotorDef motor;
@@ -136,12 +136,12 @@ static const CaseKey mount_keys[] = {
 
 SECTION(case_mount, "rollers.along.mount", mount_keys);
 
-/* The six stiffnesses of a mount: three by shift, three by turn. */
+/* Six stiffnesses of a mount: three by shift, three by turn. */
 static const CaseKey shift_key = {"stiffness", KEY_NUMBER, DIM_SPRING, .min = 0, .max = 1e15, .above = 1};
 
 static const CaseKey turn_key = {"stiffness", KEY_NUMBER, DIM_TURN_SPRING, .min = 0, .max = 1e15, .above = 1};
 
-/* What goes with a set torque only, or with a set speed only, or with a ramp of its own. */
+/* Checks keys that belong to a set torque only, to a set speed only, or to a ramp of its own. */
 static hawser_status motor_check(const CaseReader *r, const CaseNode *node, const MotorRecord *m)
 {
     const int by_torque = !isnan(m->torque), by_speed = !isnan(m->speed), by_factor = !isnan(m->motor.factor);
@@ -211,15 +211,15 @@ hawser_status case_mount_read(const CaseReader *r, const CaseNode *node, MountDe
     return status ? status : case_numbers_read(r, case_node_key(node, "stiffness"), 6, key, mount->stiffness);
 }
 
-/* Where the rollers of a row stand: all along at even steps, or in stretches of the route of one sort; and whether what
- * stands somewhere is in the cable's way. */
+/* Places of a row's rollers: all along at even steps, or in stretches of the route of one kind; and the check that a
+ * roller does not overlap the cable. */
 
 enum { WHERE_ALL, WHERE_BENDS, WHERE_STRAIGHTS, WHERE_SIDEWAYS, WHERE_RANGES };
 
 /* The places found so far. */
 typedef struct Places {
     const CaseReader *r;
-    const CaseNode *node, *where; /* of the row */
+    const CaseNode *node, *where; /* map of the row, and its `where` */
     const RowPlaces *row;
     double *s;
     int n;
@@ -238,7 +238,7 @@ double case_sideways(const CaseReader *r, double s)
     return v3_dot(route_at(&r->route, s).curvature, route_left(&r->route, s));
 }
 
-/* n more places, `step` apart. */
+/* Adds n places, `step` apart. */
 static hawser_status places_add(Places *p, double first, double step, double n)
 {
     if (n > CASE_ROLLERS_MAX - p->n) {
@@ -254,7 +254,7 @@ static hawser_status places_add(Places *p, double first, double step, double n)
     return HAWSER_OK;
 }
 
-/* The whole row at even steps, ends included. */
+/* Spaces the whole row at even steps, ends included. */
 static hawser_status places_all(Places *p)
 {
     const RowPlaces *d = p->row;
@@ -268,8 +268,8 @@ static hawser_status places_all(Places *p)
     return places_add(p, d->from, spaced ? d->spacing : length / fmax(1, n - 1), n);
 }
 
-/* One stretch: equal parts no longer than the spacing, a roller in the middle of each, so that stretches that follow
- * each other never share a place. */
+/* Divides a stretch into equal parts no longer than the spacing, with a roller in the middle of each, so that
+ * neighbouring stretches never share a place. */
 static hawser_status places_stretch(Places *p, double from, double to)
 {
     from = fmax(from, p->row->from);
@@ -286,12 +286,12 @@ static int is_wanted(const Places *p, const RoutePiece *piece, int where)
     return bend && (where == WHERE_BENDS || fabs(case_sideways(p->r, piece->s0 + piece->length / 2)) > 1e-9);
 }
 
-/* Neighbouring pieces of the sort make one stretch; before its start and past its end the route is straight. */
+/* Joins neighbouring pieces of the kind into one stretch; before its start and past its end the route is straight. */
 static hawser_status places_pieces(Places *p, int where)
 {
     const Route *const route = &p->r->route;
     hawser_status status = HAWSER_OK;
-    double from = p->row->from; /* of the stretch that is open */
+    double from = p->row->from; /* start of the open stretch */
     int open = is_wanted(p, NULL, where);
     for (int i = 0; i <= route->n && !status; i++) {
         const RoutePiece *const piece = i < route->n ? &route->piece[i] : NULL;
@@ -316,7 +316,7 @@ static hawser_status places_ranges(Places *p)
     return status;
 }
 
-/* What `where` says; guides stand in bends to the side unless told otherwise. */
+/* Reads `where`; by default guides stand in bends to the side. */
 static hawser_status where_read(const Places *p, int *where)
 {
     static const char *const word[] = {"all", "bends", "straights", NULL};
@@ -362,13 +362,12 @@ hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const 
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- whether they fit */
+/* ------------------------------------------------------------------------------------------- overlap */
 
-/* How far a roller may press into the cable before it counts as a mistake, and the smallest step of the
- * search, m. */
+/* Largest overlap of a roller and the cable that is not an error, and the smallest step of the search, m. */
 static const double PRESS_MAX = 1e-3, STEP_MIN = 1e-5;
 
-/* Where piece p lies along the route at the start: the rope's are ahead of the eye, the others behind it. */
+/* Returns the ends of piece p along the route at the start: rope is ahead of the eye, cable behind it. */
 void case_piece_place(const SceneDef *def, int p, double *from, double *to)
 {
     const int behind = scene_def_eye(def);
@@ -377,8 +376,8 @@ void case_piece_place(const SceneDef *def, int p, double *from, double *to)
     *to = *from + def->pieces[p].length;
 }
 
-/* The first s between from and to where the route's line comes nearer to the shape than `least`; `to` if
- * none. The line's distance cannot change faster than s, so that a step of what is to spare is safe. */
+/* Returns the first s between from and to where the route's line comes nearer to the shape than `least`; `to` if none.
+ * The line's distance does not change faster than s, so that a step of the remaining distance is safe. */
 static double line_meets(const Route *route, const Shape *shape, double from, double to, double least, double *distance)
 {
     double s = from;
@@ -390,10 +389,10 @@ static double line_meets(const Route *route, const Shape *shape, double from, do
     return to;
 }
 
-/* Each piece with its own radius: a roller may be nearer to the rope than to the cable. */
+/* Checks each piece with its own radius: a roller may be nearer to the rope than to the cable. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller)
 {
-    if (r->def->rod.present) return HAWSER_OK; /* it lies on no route */
+    if (r->def->rod.present) return HAWSER_OK; /* a rod has no route */
     const SceneDef *def = r->def;
     const Shape shape = roller_def_shape(roller);
     for (int p = 0; p < def->n_pieces; p++) {
@@ -410,7 +409,7 @@ hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, cons
     return HAWSER_OK;
 }
 
-/* Rollers by rule: the rule's keys, and the tension that it counts with. */
+/* Rollers by rule: the rule's keys, and the tension that it assumes. */
 
 typedef struct RuleRecord {
     double straights, bends, share, reserve, tension;
@@ -430,10 +429,10 @@ static const CaseKey rule_keys[] = {
 
 SECTION(case_place_rule, "rollers.along.rule", rule_keys);
 
-/* kg/m from which a cable counts as heavy, and spacings on straights, m. */
+/* Mass of a cable from which it counts as heavy, kg/m, and spacings on straights, m. */
 static const double HEAVY = 20, SPACING = 2.5, SPACING_HEAVY = 1.5;
 
-/* The heaviest cable before the eye, kg/m. */
+/* Returns the mass of the heaviest cable before the eye, kg/m. */
 static double line_mass(const SceneDef *def)
 {
     const int n = scene_def_eye(def);
@@ -442,7 +441,7 @@ static double line_mass(const SceneDef *def)
     return most;
 }
 
-/* The largest back tension: the tail's, and what the brake can do on the bare drum. */
+/* Returns the largest back tension: the tail's, and that of the brake at the bare drum. */
 static double back_tension(const SceneDef *def)
 {
     double back = fmax(0, profile_largest(&def->tail.tension));
@@ -451,8 +450,8 @@ static double back_tension(const SceneDef *def)
     return back;
 }
 
-/* The pull of a cable that fills the route, without what conveyors take off: rollers must bear a pull in which one of
- * them stands. With guides friction adds up in bends to the side (LI1). */
+/* Computes the pull of a cable that fills the route, without the help of conveyors: rollers must bear a pull in which
+ * one of them stands. With guides friction adds up in bends to the side (LI1). */
 static hawser_status pull_make(const CaseReader *r, const RuleRecord *rule, double weight, Pull *pull)
 {
     const SceneDef *const def = r->def;
@@ -506,15 +505,15 @@ static const char *const profiles[] = {"flat", "v", "u", NULL};
 
 static const char *const guides[] = {"none", "inside", "both", "left", "right", NULL};
 
-/* A row of rollers being laid: what all of them have, and where they stand. */
+/* A row of rollers being placed: their common values, and their places. */
 typedef struct Row {
     RollerDef roller; /* without name and place */
     GrooveRecord groove;
     char name[NAME_MAX_LENGTH / 2];
     RowPlaces places;
-    double gap;     /* m, of guides and hold-downs */
-    double heading; /* rad, of the pull across its rollers; NAN: the route's */
-    int alone;      /* its only roller is called as the row is */
+    double gap;     /* m, for guides and hold-downs */
+    double heading; /* rad, direction of the pull across its rollers; NAN: the route's */
+    int alone;      /* its only roller has the row's name */
     const CaseNode *node;
     int hold;
 } Row;
@@ -548,7 +547,7 @@ static const CaseKey roller_row_keys[] = {
 
 SECTION(case_roller_row, "rollers.along", roller_row_keys);
 
-/* By coordinates: nothing is known of the route. */
+/* A roller by coordinates: its place on the route is unknown. */
 static const CaseKey roller_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-1e8, 1e8), AT(Row, roller.centre)},
@@ -566,7 +565,7 @@ static const CaseKey roller_keys[] = {
 
 static SECTION(single_roller, "rollers.list.N", roller_keys);
 
-/* Rows along the route, and single ones. */
+/* Rows along the route, and single rollers. */
 static const CaseKey rollers_keys[] = {
     {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows", .section = &case_roller_row},
     {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", .section = &single_roller},
@@ -574,11 +573,11 @@ static const CaseKey rollers_keys[] = {
 
 SECTION(case_rollers, "rollers", rollers_keys);
 
-/* The cable's centre line at rest lies on the route, so a roller's centre is as far away from it as the thickest cable
- * sits on the roller. */
+/* The cable's centre line at rest lies on the route: the distance of a roller's centre is that of the thickest cable on
+ * the roller. */
 enum { HOLD_NONE, HOLD_SAG, HOLD_RANGES };
 
-/* Room for `more` rollers. */
+/* Allocates memory for `more` rollers. */
 static hawser_status rollers_reserve(const CaseReader *r, const CaseNode *node, int more)
 {
     SceneDef *def = r->def;
@@ -598,7 +597,7 @@ static hawser_status range_read(const CaseReader *r, const CaseNode *node, doubl
     return case_stretch_read(r, node, case_key_of(&case_roller_row, "hold_down"), range);
 }
 
-/* The ranges are read here for their mistakes, and again where they are used. */
+/* Checks the ranges; they are read again where they are used. */
 static hawser_status hold_read(const CaseReader *r, Row *row)
 {
     const CaseNode *node = case_node_key(row->node, "hold_down");
@@ -618,7 +617,7 @@ static hawser_status hold_read(const CaseReader *r, Row *row)
     return HAWSER_OK;
 }
 
-/* Whether the row has a roller above the line at s: where the route bends upward, or in the ranges given. */
+/* Checks whether the row has a roller above the line at s: where the route bends upward, or in the given ranges. */
 static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
 {
     if (row->hold == HOLD_SAG) return v3_dot(route_at(&r->route, s).curvature, up) > 1e-9;
@@ -630,8 +629,8 @@ static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
     return 0;
 }
 
-/* One roller of a row at s, beside the line; there is room for it. Carriers and hold-downs have level axes, guides
- * stand square to that and to the line. A level axis may be turned (PC2). */
+/* Places one roller of a row at s, beside the line; memory is allocated. Carriers and hold-downs have level axes,
+ * guides are perpendicular to that and to the line. A level axis may be turned (PC2). */
 static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, PlaceSide side)
 {
     static const char *const suffix[] = {"", " above", " left", " right"};
@@ -659,7 +658,7 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
     return case_overlap_check(r, row->node, roller);
 }
 
-/* What stands at s: guides on one side or both, or a carrier and perhaps a hold-down. */
+/* Places the rollers at s: guides on one side or both, or a carrier and perhaps a hold-down. */
 static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, double s)
 {
     hawser_status status = HAWSER_OK;
@@ -684,7 +683,7 @@ static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, 
     return status;
 }
 
-/* What a row of guides cannot have. */
+/* Rejects keys that a row of guides cannot have. */
 static hawser_status guide_check(const CaseReader *r, const Row *row)
 {
     if (row->places.guide != GUIDE_NONE && row->hold != HOLD_NONE) {
@@ -698,7 +697,7 @@ static hawser_status guide_check(const CaseReader *r, const Row *row)
     return HAWSER_OK;
 }
 
-/* What rollers have in common, in a row or alone: friction, groove, spin, mount. */
+/* Reads the common values of rollers, in a row or single: friction, groove, spin, mount. */
 static hawser_status roller_complete(const CaseReader *r, Row *row)
 {
     RollerDef *const d = &row->roller;
@@ -717,7 +716,7 @@ static hawser_status roller_friction(const CaseReader *r, Row *row)
     return case_friction_read(r, case_node_key(row->node, "friction"), &r->def->friction, &row->roller.friction);
 }
 
-/* A row says once where its rollers stand; a heading is for level axes. */
+/* Checks that a row gives its places in one way only; a heading is for level axes. */
 static hawser_status form_check(const CaseReader *r, const CaseNode *node)
 {
     static const char *const other[][8] = {
@@ -735,10 +734,10 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
     return case_key_error(r->err, heading, NULL, "not for guides, whose axes are upright");
 }
 
-/* The most rollers that a row may have at a place: guides to both sides, or one above a carrier. */
+/* Returns the largest number of rollers at one place of a row: guides on both sides, or one above a carrier. */
 static int most_at_a_place(const Row *row) { return row->places.guide == GUIDE_BOTH || row->hold != HOLD_NONE ? 2 : 1; }
 
-/* Places one by one. */
+/* Places rollers at given places, one by one. */
 static hawser_status row_at(const CaseReader *r, Row *row, const CaseNode *at, int *laid)
 {
     row->alone = at->count == 1 && case_node_key(row->node, "name");
@@ -751,7 +750,7 @@ static hawser_status row_at(const CaseReader *r, Row *row, const CaseNode *at, i
     return status;
 }
 
-/* Where the rule wants them, numbered from its first side on. */
+/* Places rollers by the rule, numbered from its first side on. */
 static hawser_status row_by_rule(const CaseReader *r, Row *row, const CaseNode *rule, int *laid)
 {
     PlacedRoller *placed = NULL;
@@ -766,7 +765,7 @@ static hawser_status row_by_rule(const CaseReader *r, Row *row, const CaseNode *
     return status;
 }
 
-/* In a row, or in stretches of the route of one sort. */
+/* Places rollers evenly, or in stretches of the route of one kind. */
 static hawser_status row_spaced(const CaseReader *r, const Row *row, int *laid)
 {
     double *place = NULL;
@@ -778,7 +777,7 @@ static hawser_status row_spaced(const CaseReader *r, const Row *row, int *laid)
     return status;
 }
 
-/* Lays one row. `laid` counts the places over all rows, for the rollers' names. */
+/* Places one row. `laid` counts the places over all rows, for the rollers' names. */
 static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *laid)
 {
     Row row = {.node = node};
@@ -795,7 +794,7 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *la
     return rule ? row_by_rule(r, &row, rule, laid) : row_spaced(r, &row, laid);
 }
 
-/* One row or several, numbered through. */
+/* Places one row or several, numbered throughout. */
 static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
 {
     int laid = 0;
@@ -805,7 +804,7 @@ static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
     return status;
 }
 
-/* A roller by coordinates has no place along the route: s is NAN. */
+/* Reads a roller by coordinates; it has no place along the route: s is NAN. */
 static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -826,7 +825,7 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     return case_overlap_check(r, node, &def->rollers[def->n_rollers++]);
 }
 
-/* Rows first, then the list: that is the order of the result tables. */
+/* Reads rows first, then the list: the order of the result tables. */
 hawser_status case_rollers_read(CaseReader *r, const CaseNode *node)
 {
     const CaseNode *const along = case_node_key(node, "along"), *const list = case_node_key(node, "list");

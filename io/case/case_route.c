@@ -7,8 +7,7 @@
 #include "io/case/alignment.h"
 #include "io/case/case_parts.h"
 
-/* m: surveyors' coordinates may be as far from their zero, and lines that begin farther than NEAR count from an origin
- * of their own. */
+/* m: largest coordinates of surveyors, and distance beyond which a line counts from an origin of its own. */
 #define FAR 1e8
 static const double NEAR = 1e4, ORIGIN_GRID = 1e3;
 static const double PI = 3.14159265358979323846;
@@ -18,7 +17,7 @@ typedef struct RouteRecord {
     Vec3 start;
     double heading, slope, north, head_at, transition, radius, station;
     int spline;
-    LineRecord line; /* of a file */
+    LineRecord line; /* line of a file */
     int reverse;
     double from, to, tolerance, join, height;
 } RouteRecord;
@@ -28,7 +27,7 @@ typedef struct HeightRecord {
     LineRecord line;
 } HeightRecord;
 
-/* Where the route begins and what it is made of; the keys of which kind form_check says. */
+/* Start and pieces of the route; form_check checks which keys belong to which kind. */
 static const CaseKey route_keys[] = {
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-FAR, FAR), AT(RouteRecord, start)},
     {"origin", KEY_ANY, DIM_LENGTH, .fallback = "auto", .form = "`auto` or [x, y, z], each a length", FROM(-FAR, FAR)},
@@ -65,13 +64,13 @@ SECTION(case_route, "route", route_keys);
 
 static const char *const grades[] = {"keep", "plane", NULL};
 
-/* What a piece may say beside its definition. NAN: not given. */
+/* A piece with the values beside its definition. NAN: not given. */
 typedef struct PieceRecord {
     RoutePieceDef def;
     double straight, clothoid, parabola, slope, start_radius, end_radius, end_slope;
 } PieceRecord;
 
-/* Which keys belong to which kind piece_keys_check says. */
+/* piece_keys_check checks which keys belong to which kind. */
 static const CaseKey route_piece_keys[] = {
     {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, straight)},
     {"slope", KEY_NUMBER, DIM_SLOPE, .otherwise = "the slope there", FROM(DEGREES(-90), DEGREES(90)),
@@ -149,7 +148,7 @@ hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double 
 
 /* ---------------------------------------------------------------------------------------------------- pieces */
 
-/* Keys of a piece's map that none of `allowed` (NULL behind the last) is. */
+/* Rejects keys of a piece's map other than `allowed` (NULL behind the last). */
 static hawser_status keys_only(const CaseReader *r, const CaseNode *node, const char *kind, const char *const *allowed)
 {
     for (const CaseNode *key = node->first; key; key = key->next) {
@@ -166,7 +165,7 @@ static hawser_status key_needed(const CaseReader *r, const CaseNode *node, const
     return case_key_error(r->err, node, key, "missing: a '%s' piece needs it", kind);
 }
 
-/* The one of these kinds that a map has; -1 after an error. */
+/* Returns the one of these kinds that a map has; -1 after an error. */
 static int kind_of(const CaseReader *r, const CaseNode *node, const char *const *kinds, const char *list)
 {
     int found = -1, n = 0;
@@ -179,7 +178,7 @@ static int kind_of(const CaseReader *r, const CaseNode *node, const char *const 
     return n == 1 ? found : -1;
 }
 
-/* A radius must leave room for the cable itself. NAN passes: it is not given. */
+/* Checks that a radius is larger than the cable's. NAN passes: it is not given. */
 static hawser_status radius_check(const CaseReader *r, const CaseNode *node, const char *key, double radius)
 {
     const double least = case_largest_diameter(r->def) / 2;
@@ -188,7 +187,7 @@ static hawser_status radius_check(const CaseReader *r, const CaseNode *node, con
                             " is too small: must be above the cable's own radius, %g m", least);
 }
 
-/* Curvatures at a clothoid's ends, of which one may be straight. */
+/* Reads the curvatures at a clothoid's ends, of which one may be straight. */
 static hawser_status ends_read(const CaseReader *r, const CaseNode *node, double start, double end, double out[2])
 {
     if (isnan(start) && isnan(end))
@@ -199,7 +198,7 @@ static hawser_status ends_read(const CaseReader *r, const CaseNode *node, double
     return status ? status : radius_check(r, node, "end_radius", end);
 }
 
-/* A bend is an arc, or by the radii of its ends a clothoid of that angle; in its plane, or at a constant grade. */
+/* Makes a bend: an arc, or by the radii of its ends a clothoid of that angle; in its plane, or at a constant grade. */
 static hawser_status bend_make(const CaseReader *r, const CaseNode *node, PieceRecord *in)
 {
     RoutePieceDef *const p = &in->def;
@@ -264,7 +263,7 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void 
     return known ? known : key_needed(r, node, "end_slope", kinds[kind]);
 }
 
-/* Slope and heading behind a piece that begins on them. */
+/* Computes slope and heading at the end of a piece from those at its start. */
 static hawser_status piece_pass(const RoutePieceDef *p, double *heading, double *slope, hawser_error *err)
 {
     Route one;
@@ -277,8 +276,8 @@ static hawser_status piece_pass(const RoutePieceDef *p, double *heading, double 
     return HAWSER_OK;
 }
 
-/* On the level a bend that keeps its grade is one in a plane, and one that begins upright has no other: those stay
- * arcs. Behind the pieces the slopes of straights are rounded. */
+/* Simplifies bends that keep their grade: on the level they are arcs in a plane, and where the route is upright no
+ * other bend is possible. */
 static hawser_status grades_settle(const CaseReader *r, const CaseNode *list, int n, RoutePieceDef *def,
                                    const RouteRecord *in)
 {
@@ -306,7 +305,7 @@ static hawser_status grades_settle(const CaseReader *r, const CaseNode *list, in
     return HAWSER_OK;
 }
 
-/* Pieces as they are; with changes of slope rounded. */
+/* Makes the line of the pieces, with rounded changes of slope. */
 static hawser_status pieces_line(const CaseReader *r, const CaseNode *list, const RouteRecord *in, RouteLine *out)
 {
     RoutePieceDef *def = NULL;
@@ -338,7 +337,7 @@ static hawser_status point_read(const CaseReader *r, const CaseNode *node, void 
     return status;
 }
 
-/* The points count from `from`. */
+/* Makes the line of points that count from `from`. */
 static hawser_status points_line(const CaseReader *r, const CaseNode *list, const RouteRecord *in, Vec3 from, int n,
                                  RouteCorner *corner, RouteLine *out)
 {
@@ -423,7 +422,7 @@ static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const 
     return status;
 }
 
-/* What coordinates of results and of the definition count from: a point of the surveyor's. */
+/* Reads the origin of coordinates of results and of the definition: a point in the surveyor's coordinates. */
 static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first)
 {
     const CaseKey *const key = case_key_of(&case_route, "origin"), *const keys[3] = {key, key, key};
@@ -441,9 +440,9 @@ static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3
     return HAWSER_OK;
 }
 
-/* -------------------------------------------------------------------------------------------------- of a file */
+/* -------------------------------------------------------------------------------------------------- from a file */
 
-/* The line of a file, with its own heights or another file's. */
+/* Makes the line of a file, with its own heights or another file's. */
 static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const profile = case_node_key(node, "profile");
@@ -479,7 +478,7 @@ static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteR
     return status;
 }
 
-/* The corners of a plan's profile: the list alone, or the map's. */
+/* Finds the corners of a plan's profile: the list alone, or the map's. */
 static hawser_status corners_find(const CaseReader *r, const CaseNode *profile, const CaseNode **corners)
 {
     HeightRecord heights;
@@ -494,7 +493,7 @@ static hawser_status corners_find(const CaseReader *r, const CaseNode *profile, 
 
 /* ----------------------------------------------------------------------------------------------- the section */
 
-/* Which keys go with which list. */
+/* Checks which keys go with which list. */
 static hawser_status form_check(const CaseReader *r, const CaseNode *node)
 {
     enum { PIECES = 1, POINTS = 2, PLAN = 4, FILE_ = 8 };
@@ -535,7 +534,7 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
-/* What a change of slope is rounded by if nothing is said: the cable's limit. */
+/* Sets the default radius of changes of slope: the cable's limit, or 20 of its diameters. */
 static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 {
     const CaseNode *const limit = case_node_key(case_node_key(r->root, "limits"), "bend_radius");
@@ -545,7 +544,7 @@ static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
     return limit ? case_number_read(r, limit, case_key_of(&case_limits, "bend_radius"), &in->transition) : HAWSER_OK;
 }
 
-/* The route as a line of pieces that counts from the origin. */
+/* Makes the route as a line of pieces that counts from the origin. */
 static hawser_status line_read(CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
@@ -570,7 +569,7 @@ static hawser_status line_read(CaseReader *r, const CaseNode *node, const RouteR
     return status;
 }
 
-/* Where the cable's front is at the start: on the route. */
+/* Checks that the cable's front at the start is on the route. */
 static hawser_status head_check(const CaseReader *r, const CaseNode *node)
 {
     double *const head = &r->def->head_at;
@@ -580,7 +579,7 @@ static hawser_status head_check(const CaseReader *r, const CaseNode *node)
                             " is out of range: must be on the route, at most %.10g m", r->route.length);
 }
 
-/* Built here already: rollers and stations are placed along it. */
+/* Builds the route already here: rollers and stations are placed along it. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;

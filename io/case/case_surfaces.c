@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "io/case/case_parts.h"
 
-/* A surface being read: a duct's place (centred or resting), a tray's section, beside the definition. */
+/* A surface being read: the definition, and a duct's place (centred or resting) or a tray's section. */
 typedef struct Surface {
     SurfaceDef def;
     int choice;
@@ -24,7 +24,7 @@ static const CaseKey occupied_keys[] = {
 
 static SECTION(occupied, "surfaces.ducts.N.occupied", occupied_keys);
 
-/* Stretches: off the route is an error, which stretch_check finds. */
+/* Stretches may leave the route here; stretch_check rejects that. */
 static const CaseKey duct_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
@@ -39,7 +39,7 @@ static const CaseKey duct_keys[] = {
 
 static SECTION(duct, "surfaces.ducts.N", duct_keys);
 
-/* Which keys belong to which section tray_finish says. */
+/* tray_finish checks which keys belong to which section. */
 static const CaseKey tray_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
@@ -59,7 +59,7 @@ static const CaseKey tray_keys[] = {
 
 static SECTION(tray, "surfaces.trays.N", tray_keys);
 
-/* By coordinates. A length or width of 0 has no end. */
+/* By coordinates. A length or width of 0 means no end. */
 static const CaseKey plane_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
     {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-1e8, 1e8), AT(Surface, def.shape.point)},
@@ -73,7 +73,7 @@ static const CaseKey plane_keys[] = {
 
 static SECTION(plane, "surfaces.planes.N", plane_keys);
 
-/* No fallbacks: what is absent is the rollers' number. */
+/* No fallbacks: absent values are the rollers'. */
 static const CaseKey line_contact_keys[] = {
     {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "the rollers'", .form = "a force per length to the power e",
      ABOVE(0, 1e18)},
@@ -84,7 +84,7 @@ static const CaseKey line_contact_keys[] = {
 
 static SECTION(line_contact, "surfaces.contact", line_contact_keys);
 
-/* What the cable lies on along a length. */
+/* Surfaces on which the cable lies along a length. */
 static const CaseKey surfaces_keys[] = {
     {"ducts", KEY_LIST, .otherwise = "none", .form = "ducts one by one", .section = &duct},
     {"trays", KEY_LIST, .otherwise = "none", .form = "trays, troughs and floors one by one", .section = &tray},
@@ -94,14 +94,14 @@ static const CaseKey surfaces_keys[] = {
 
 SECTION(case_surfaces, "surfaces", surfaces_keys);
 
-/* How far a surface may press into the cable at the start before it counts as a mistake, and how densely planes are
- * looked at for it, m. */
+/* Largest overlap of a surface and the cable at the start that is not an error, and step at which planes are checked
+ * for it, m. */
 static const double PRESS_MAX = 1e-3, LOOK_STEP = 0.05;
 
-/* Of a stretch beyond the route's end, and of two stretches into each other: rounding, m. */
+/* Rounding, m, of a stretch beyond the route's end, and of two overlapping stretches. */
 static const double SLACK = 1e-6;
 
-/* The law for each metre of cable; what is not given is the rollers'. */
+/* Reads the law for each metre of cable; values that are not given are the rollers'. */
 static hawser_status line_contact_read(const CaseReader *r, const CaseNode *node)
 {
     ImpactLaw *const law = &r->def->line_impact;
@@ -116,7 +116,7 @@ static hawser_status line_contact_read(const CaseReader *r, const CaseNode *node
     return k ? case_stiffness_read(r, k, law->e, &law->k) : HAWSER_OK;
 }
 
-/* An exponent of its own makes the rollers' stiffness a number of another kind. */
+/* Checks the stiffness beside an exponent of its own, with which the rollers' stiffness has another unit. */
 static hawser_status line_exponent_check(const CaseReader *r, const CaseNode *node)
 {
     if (!node || r->def->line_impact.e == r->def->impact.e || case_node_key(node, "k")) return HAWSER_OK;
@@ -125,7 +125,7 @@ static hawser_status line_exponent_check(const CaseReader *r, const CaseNode *no
                           r->def->impact.e);
 }
 
-/* Whether a stretch lies on the route, has room for its ends' fades and is free. */
+/* Checks that a stretch is on the route, long enough for its ends' fades, and free. */
 static hawser_status stretch_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *surface)
 {
     const SurfaceShape *const s = &surface->shape;
@@ -146,7 +146,7 @@ static hawser_status stretch_check(const CaseReader *r, const CaseNode *node, co
     return HAWSER_OK;
 }
 
-/* Whether all bends of the stretch are wider than the surface is on the side of their centre. */
+/* Checks that all bends of the stretch are wider than the surface on the side of their centre. */
 static hawser_status bends_check(const CaseReader *r, const CaseNode *node, const SurfaceShape *s, double extent,
                                  const char *key)
 {
@@ -161,7 +161,7 @@ static hawser_status bends_check(const CaseReader *r, const CaseNode *node, cons
     return HAWSER_OK;
 }
 
-/* Level sections need a level left: nearly upright stretches have none that is steady. */
+/* Rejects level sections on stretches that are nearly upright: no steady level direction exists there. */
 static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, const SurfaceShape *s)
 {
     const double steepest = 80 * 3.14159265358979323846 / 180;
@@ -174,7 +174,7 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
-/* The equivalent cable's duct: as much wider than it as the bundle's middle can move (BU8). */
+/* Sets the clearance of the equivalent cable's duct: the play of the bundle's middle (BU8). */
 static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
 {
     hawser_error why = {.message = ""};
@@ -188,7 +188,7 @@ static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, Surf
     return HAWSER_OK;
 }
 
-/* Cables that lie in the duct already. */
+/* Reads the cables that lie in the duct already. */
 static hawser_status occupied_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
 {
     DuctLoad load;
@@ -219,7 +219,7 @@ static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int 
     return status || !resting ? status : slopes_check(r, node, s);
 }
 
-/* A key that trays of this section have, or have not. */
+/* Rejects a key that trays of this section do not have. */
 static hawser_status tray_key(const CaseReader *r, const CaseNode *node, const char *key, int allowed)
 {
     const CaseNode *given = case_node_key(node, key);
@@ -227,7 +227,7 @@ static hawser_status tray_key(const CaseReader *r, const CaseNode *node, const c
     return case_key_error(r->err, given, NULL, "not allowed for a tray of this section");
 }
 
-/* A flat tray: its width between the sides, or over all. */
+/* Checks a flat tray: its width between the sides, or overall. */
 static hawser_status flat_check(const CaseReader *r, const CaseNode *node, const SurfaceShape *s)
 {
     if (s->height > 0 && s->width <= 2 * s->cable_radius) {
@@ -250,7 +250,7 @@ static hawser_status u_check(const CaseReader *r, const CaseNode *node, const Su
     return bends_check(r, node, s, s->radius, "radius");
 }
 
-/* Numbers that were not given depend on the section. */
+/* Fills the numbers that were not given, by the section. */
 static void tray_fill(int section, SurfaceShape *s)
 {
     static const SurfaceKind kinds[] = {SURFACE_FLAT, SURFACE_V, SURFACE_U};
@@ -281,12 +281,12 @@ static hawser_status tray_finish(const CaseReader *r, const CaseNode *node, int 
     return status;
 }
 
-/* Whether the cable begins on the free side of a plane, wherever it lies over it. */
+/* Checks that the cable begins on the free side of a plane, wherever it lies over it. */
 static hawser_status plane_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *surface)
 {
     const SceneDef *const def = r->def;
     SurfacePatch patch;
-    if (def->rod.present) return HAWSER_OK; /* it lies on no route */
+    if (def->rod.present) return HAWSER_OK; /* a rod has no route */
     surface_patches(&surface->shape, &r->route, 0, &patch);
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
@@ -296,7 +296,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
             const double s = from + k * LOOK_STEP;
             const SurfaceProbe at = surface_probe(&patch, route_at(&r->route, s).position);
             if (!at.owned || at.share <= 0 || at.distance >= radius - PRESS_MAX) continue;
-            if (at.distance <= -patch.depth) continue; /* it passes behind */
+            if (at.distance <= -patch.depth) continue; /* the cable passes behind the plane */
             return case_key_error(
                 r->err, node, "point",
                 "plane '%s' is inside the cable: %.4g m along the route it is %.4g m from the line, must "
@@ -307,7 +307,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
     return HAWSER_OK;
 }
 
-/* Any direction will do for a plane without ends. */
+/* Returns a direction along a plane; without ends any will do. */
 static Vec3 along_of(Vec3 given, Vec3 normal)
 {
     const Vec3 level = fabs(normal.z) < 0.9 ? v3(0, 0, 1) : v3(1, 0, 0);
@@ -333,13 +333,12 @@ static hawser_status plane_finish(const CaseReader *r, const CaseNode *node, int
     return plane_check(r, node, out);
 }
 
-/* Ducts, then trays, then planes: that is the order of the results. `finish` gets a duct's place or a tray's section.
- */
+/* Ducts, then trays, then planes: the order of the results. `finish` gets a duct's place or a tray's section. */
 typedef struct SurfaceList {
     const char *key;
     const CaseSection *section;
-    const char *letter; /* of names that are not given */
-    int along;          /* a stretch of the route, which it has for itself */
+    const char *letter; /* begins default names */
+    int along;          /* it occupies a stretch of the route alone */
     hawser_status (*finish)(const CaseReader *r, const CaseNode *node, int choice, SurfaceDef *out);
 } SurfaceList;
 
@@ -362,7 +361,7 @@ static hawser_status surface_read(const CaseReader *r, const CaseNode *node, con
     return status ? status : list->finish(r, node, record.choice, out);
 }
 
-/* A surface counts only when it is whole. */
+/* Counts a surface only when it is complete. */
 static hawser_status list_read(const CaseReader *r, const CaseNode *nodes, const SurfaceList *list)
 {
     SceneDef *const def = r->def;
@@ -392,9 +391,8 @@ hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* Things that stand in the way: boxes, edges (round bars) and the bell-mouths of ducts. They join the rollers' list,
- * where the cable touches them and their loads are kept; having no place along the route they are no rollers to theory.
- */
+/* Obstacles: boxes, edges (round bars) and the bell-mouths of ducts. They join the rollers' list, which handles their
+ * contact and loads; without a place along the route theory does not treat them as rollers. */
 
 enum { OBSTACLE_BOX, OBSTACLE_EDGE, OBSTACLE_BELL, OBSTACLE_KINDS };
 
@@ -402,10 +400,10 @@ static const char *const kinds[OBSTACLE_KINDS] = {"box", "edge", "bell"};
 
 static const char *const ends[] = {"entry", "exit", NULL};
 
-/* An obstacle being read: what it will be, and how it is described. */
+/* An obstacle being read, with its definition. */
 typedef struct Obstacle {
     RollerDef def;
-    char name[OBSTACLE_KINDS][NAME_MAX_LENGTH / 2]; /* of each kind that is given */
+    char name[OBSTACLE_KINDS][NAME_MAX_LENGTH / 2]; /* one of each given kind */
     double at;                                      /* m along the route; NAN: by its centre */
     Vec3 offset;                                    /* m: along the route, to the left, up */
     Vec3 size;                                      /* m: along the axis, across, high */
@@ -413,7 +411,7 @@ typedef struct Obstacle {
     int end;
 } Obstacle;
 
-/* Exactly one of the first three; which keys go with which, owners_check says. */
+/* Exactly one of the first three is required; owners_check checks which keys go with which. */
 static const CaseKey obstacle_keys[] = {
     {"box", KEY_TEXT, .fallback = "", AT(Obstacle, name[OBSTACLE_BOX])},
     {"edge", KEY_TEXT, .fallback = "", AT(Obstacle, name[OBSTACLE_EDGE])},
@@ -434,7 +432,7 @@ static const CaseKey obstacle_keys[] = {
 
 SECTION(case_obstacle, "obstacles.N", obstacle_keys);
 
-/* Which keys a kind has, and which it needs. */
+/* Keys that a kind has, and keys that it requires. */
 enum { BOX = 1 << OBSTACLE_BOX, EDGE = 1 << OBSTACLE_EDGE, BELL = 1 << OBSTACLE_BELL };
 
 static const struct {
@@ -461,7 +459,7 @@ static hawser_status owners_check(const CaseReader *r, const CaseNode *node, int
     return HAWSER_OK;
 }
 
-/* The one kind that is given. */
+/* Finds the one kind that is given. */
 static hawser_status kind_find(const CaseReader *r, const CaseNode *node, int *kind)
 {
     int n = 0;
@@ -474,8 +472,8 @@ static hawser_status kind_find(const CaseReader *r, const CaseNode *node, int *k
     return case_key_error(r->err, node, NULL, "expected one of 'box', 'edge' and 'bell'");
 }
 
-/* Centre and axis, by coordinates or from the route's line; side: level and square to the axis. An axis that is not
- * given is the route's direction for a box, and across it for an edge. */
+/* Finds centre and axis, by coordinates or from the route's line; side: level and perpendicular to the axis. The
+ * default axis is the route's direction for a box, and across it for an edge. */
 static hawser_status place_find(const CaseReader *r, const CaseNode *node, int kind, Obstacle *o, Vec3 *side)
 {
     RollerDef *const d = &o->def;
@@ -506,7 +504,7 @@ static hawser_status place_find(const CaseReader *r, const CaseNode *node, int k
     return HAWSER_OK;
 }
 
-/* A box by its sizes; an edge is a bar that is round all over. */
+/* Makes a box by its sizes; an edge is a bar that is round all over. */
 static hawser_status box_make(const CaseReader *r, const CaseNode *node, int kind, Obstacle *o)
 {
     RollerDef *const d = &o->def;
@@ -531,7 +529,7 @@ static hawser_status box_make(const CaseReader *r, const CaseNode *node, int kin
     return HAWSER_OK;
 }
 
-/* The duct of this name; NULL: none. */
+/* Returns the duct of this name; NULL: none. */
 static const SurfaceDef *duct_named(const SceneDef *def, const char *name)
 {
     for (int i = 0; i < def->n_surfaces; i++) {
@@ -541,8 +539,8 @@ static const SurfaceDef *duct_named(const SceneDef *def, const char *name)
     return NULL;
 }
 
-/* The flare at a duct's end: its throat stands where the duct ends and has the duct's bore (OB4). Behind the throat the
- * ring falls back from the bore, and the wall, which comes in over its fade, takes over. */
+/* Makes the flare at a duct's end: its throat stands where the duct ends and has the duct's bore (OB4). Behind the
+ * throat the ring recedes from the bore, and the wall, which fades in there, takes over. */
 static hawser_status bell_make(const CaseReader *r, const CaseNode *node, Obstacle *o)
 {
     RollerDef *const d = &o->def;
@@ -585,7 +583,7 @@ static hawser_status obstacle_read(const CaseReader *r, const CaseNode *node)
         status = case_friction_read(r, case_node_key(node, "friction"), &def->friction, &o.def.friction);
     }
     if (status) return status;
-    /* the results' tables have rollers and obstacles together: the name says which it is */
+    /* the results list rollers and obstacles together, distinguished by their names */
     RollerDef *const out = &def->rollers[def->n_rollers++];
     *out = o.def;
     out->s = NAN;

@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "def/bundle_def.h"
 
-/* A child that may be changed: the tree is ours. */
+/* Returns a child that may be changed: this tree is a copy. */
 static CaseNode *own_key(CaseNode *map, const char *key) { return (CaseNode *)(uintptr_t)case_node_key(map, key); }
 
-/* A copy of `value` under a key of the map, in place of what is there; 0 if there is no memory. */
+/* Puts a copy of `value` under a key of the map, in place of an existing one; returns 0 if there is no memory. */
 static int put(CaseNode *map, const char *key, const CaseNode *value)
 {
     CaseNode *const copy = node_clone(value, NULL), *const old = own_key(map, key);
@@ -26,7 +26,7 @@ static int put(CaseNode *map, const char *key, const CaseNode *value)
     return copy->parent != NULL;
 }
 
-/* The map of a key, an empty one if there is none; NULL if there is no memory. */
+/* Returns the map of a key, an empty one if there is none; NULL if there is no memory. */
 static CaseNode *map_of(CaseNode *map, const char *key, const CaseNode *like)
 {
     CaseNode *const empty = node_new(NODE_MAP, like->origin, like->line);
@@ -36,7 +36,7 @@ static CaseNode *map_of(CaseNode *map, const char *key, const CaseNode *like)
     return own_key(map, key);
 }
 
-/* A map without one of its keys. */
+/* Removes a key of a map. */
 static int take_out(CaseNode *map, const char *key)
 {
     CaseNode *const without = node_new(NODE_MAP, map->origin, map->line);
@@ -48,7 +48,7 @@ static int take_out(CaseNode *map, const char *key)
     return ok;
 }
 
-/* What the case's drive has that is not this chain's. */
+/* Removes the parts of the case's drive that do not act on this chain. */
 static int drive_strip(CaseNode *root, const ChainRole *role)
 {
     const struct {
@@ -67,7 +67,7 @@ static int drive_strip(CaseNode *root, const ChainRole *role)
     return ok;
 }
 
-/* NULL if there is no memory; node: the chain's map. */
+/* Makes the tree of one chain's case; NULL if there is no memory; node: the chain's map. */
 static CaseNode *chain_tree(const CaseNode *root, const CaseNode *node, const ChainRole *role)
 {
     CaseNode *const own = node_clone(root, NULL);
@@ -92,7 +92,7 @@ static const char *const holds[] = {"eye", "basket", NULL};
 
 static const char *const patterns[] = {"flat", "cradled", "triangular", "random", "triplexed", NULL};
 
-/* A chain as the case has it; place: NAN, by the lay. */
+/* A chain as the case gives it; place: NAN, by the lay. */
 typedef struct StrandRecord {
     StrandDef def;
     char join[NAME_MAX_LENGTH];
@@ -137,21 +137,21 @@ static const CaseKey lay_keys[] = {
 
 SECTION(case_lay, "lay", lay_keys);
 
-/* What is read of all chains together. */
+/* Data of all chains while they are read. */
 typedef struct Reading {
     CaseReader *r;
     const CaseTree *tree;
     const CaseNode *chains;
     int n;
-    const CaseNode *node[STRANDS_MAX]; /* of each chain */
+    const CaseNode *node[STRANDS_MAX]; /* map of each chain */
     StrandRecord record[STRANDS_MAX];
     SceneDef def[STRANDS_MAX];
-    int read; /* definitions that there are */
+    int read; /* number of definitions read */
 } Reading;
 
-/* ------------------------------------------------------------------------------------------------ who they are */
+/* ------------------------------------------------------------------------------------------------ names and joins */
 
-/* The chain of a name; -1: none has it. */
+/* Returns the chain of a name; -1: none has it. */
 static int find_name(const Reading *all, const char *name)
 {
     for (int k = 0; k < all->n; ++k)
@@ -159,7 +159,7 @@ static int find_name(const Reading *all, const char *name)
     return -1;
 }
 
-/* Results have folders of these names. */
+/* Checks that the name can be that of a results folder. */
 static int name_fits(const char *name)
 {
     static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
@@ -188,7 +188,7 @@ static hawser_status record_read(Reading *all, const CaseNode *node)
     return status;
 }
 
-/* Whose head is joined to whom. */
+/* Finds the chain that each head is joined to. */
 static hawser_status joins_find(Reading *all)
 {
     for (int k = 0; k < all->n; ++k) {
@@ -221,7 +221,7 @@ static hawser_status joins_find(Reading *all)
     return HAWSER_OK;
 }
 
-/* ------------------------------------------------------------------------------------------------- how they lie */
+/* ------------------------------------------------------------------------------------------------- places */
 
 static double diameter_of(const SceneDef *def)
 {
@@ -230,7 +230,8 @@ static double diameter_of(const SceneDef *def)
     return most;
 }
 
-/* The least that ducts leave of the circle in which axes of cables of this diameter can be; 0: there is no duct. */
+/* Returns the smallest radius of the circle that ducts leave for the axes of cables of this diameter; 0: there is no
+ * duct. */
 static double duct_radius(const SceneDef *def, double diameter)
 {
     double least = 0;
@@ -242,7 +243,7 @@ static double duct_radius(const SceneDef *def, double diameter)
     return least;
 }
 
-/* A lay turns by no more than an eighth of a turn over a segment: its chords would cut through each other. */
+/* Checks that a lay turns by at most an eighth of a turn over a segment: otherwise its chords would intersect. */
 static hawser_status lay_check(Reading *all, const CaseNode *node, double length)
 {
     for (int k = 0; k < all->n; ++k) {
@@ -257,12 +258,12 @@ static hawser_status lay_check(Reading *all, const CaseNode *node, double length
     return HAWSER_OK;
 }
 
-/* All cables as one set: the thickest, and those that are thinner (BU6). */
+/* Returns all cables as one set: the thickest, and the thinner ones (BU6). */
 static DuctDef set_of(const Reading *all, const LayDef *lay, double thickest)
 {
     DuctDef set = {.cable_diameter = thickest, .twisted = lay->pattern == LAY_TRIPLEXED};
     const double alike = bundle_alike(set.twisted);
-    double three[3] = {0}; /* m, the thickest, by falling diameter */
+    double three[3] = {0}; /* m, the three thickest, by falling diameter */
     for (int k = 0; k < all->n; ++k) {
         double d = diameter_of(&all->def[k]);
         if (all->record[k].def.rope) continue;
@@ -282,10 +283,10 @@ static DuctDef set_of(const Reading *all, const LayDef *lay, double thickest)
     return set;
 }
 
-/* What theory says of each duct with all cables in it (SC15); where it knows no layout of so many, 1.4. */
+/* Sets theory's weight factor of each duct with all cables in it (SC15); 1.4 where theory has no layout of so many. */
 static void factors_set(Reading *all, const LayDef *lay, int cables, double thickest)
 {
-    static const double UNKNOWN = 1.4; /* of arrangements without a formula, as for bundles */
+    static const double UNKNOWN = 1.4; /* for arrangements without a formula, as for bundles */
     DuctDef set = set_of(all, lay, thickest);
     for (int s = 0; s < all->def[0].n_surfaces; ++s) {
         const SurfaceShape *const shape = &all->def[0].surfaces[s].shape;
@@ -301,7 +302,7 @@ static void factors_set(Reading *all, const LayDef *lay, int cables, double thic
     }
 }
 
-/* kg/m, of the heaviest piece. */
+/* Returns the mass of the heaviest piece, kg/m. */
 static double mass_of(const SceneDef *def)
 {
     double most = 0;
@@ -309,7 +310,7 @@ static double mass_of(const SceneDef *def)
     return most;
 }
 
-/* Whether a chain to which others are joined is a cable itself: what weighs as much as these is no rope. */
+/* Checks whether a chain that pulls others is a cable itself: a rope is lighter than these. */
 static int leads(const Reading *all, int k)
 {
     double heaviest = 0;
@@ -318,7 +319,7 @@ static int leads(const Reading *all, int k)
     return all->record[k].def.rope && mass_of(&all->def[k]) >= heaviest * (1 - 1e-9);
 }
 
-/* How many of those that a rope draws are as thick as the thickest of them: an earth beside phases bears little. */
+/* Counts the cables on a rope that are as thick as the thickest: an earth beside phases bears little. */
 static int strong_ones(const Reading *all, int rope)
 {
     double thickest = 0;
@@ -330,15 +331,15 @@ static int strong_ones(const Reading *all, int rope)
     return strong;
 }
 
-/* A chain that is joined hangs on one grip, whatever the case's limits say of a pull, and so does a cable that draws
- * others; a rope has one for each of them. */
+/* Sets the number of grips, whatever the case's limits give: one for a joined chain, and for a cable that pulls others;
+ * for a rope one for each chain that it pulls. */
 static void grips_set(Reading *all, int k)
 {
     const StrandDef *const strand = &all->record[k].def;
     if (strand->joined >= 0 || strand->rope) all->def[k].limits.grips = strand_is_rope(strand) ? strand->rope : 1;
 }
 
-/* Places of those that the lay says; ropes lie on the route. */
+/* Finds the places of chains by the lay; ropes lie on the route. */
 static hawser_status places_find(Reading *all, const CaseNode *node)
 {
     LayRecord lay = {.length = NAN, .def.spacing = NAN};
@@ -365,7 +366,7 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
         const int given = !isnan(strand->place[0]);
         if (!given) memcpy(strand->place, strand->rope ? (double[2]){0, 0} : place[next++], sizeof strand->place);
         if (!given && !strand->rope && lay.def.pattern == LAY_TRIPLEXED) strand->lay = lay.length;
-        /* heads and rope would begin inside each other */
+        /* keeps the heads apart from the rope at the start */
         if (strand->rope) strand->eye = diameter / 2 + diameter_of(&all->def[k]) / 2;
         strand->leads = leads(all, k);
         strand->strong = strong_ones(all, k);
@@ -377,9 +378,9 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- what cannot be yet */
+/* ------------------------------------------------------------------------------------------- not supported yet */
 
-/* What a scene of several chains would compute wrong, or not at all, in words; NULL: nothing of it is there. */
+/* Returns a part of the scene that several chains do not support, as text; NULL: there is none. */
 static const char *foreign(const SceneDef *def)
 {
     int moving = 0;
@@ -419,7 +420,7 @@ static hawser_status foreign_check(const Reading *all)
 
 /* ------------------------------------------------------------------------------------------------------- reading */
 
-/* Each chain's own case, of which the first's inputs are written down. */
+/* Reads each chain's own case; only the first's inputs are listed. */
 static hawser_status definitions_read(Reading *all, CaseReadOne *read)
 {
     for (int k = 0; k < all->n; ++k) {
@@ -435,13 +436,13 @@ static hawser_status definitions_read(Reading *all, CaseReadOne *read)
         node_free(own.root);
         if (status) return status;
         all->read = k + 1;
-        /* a reel that stands for a weight comes in as a tail's tension too */
+        /* a reel by its weight also acts as the tail's tension */
         if (role.rope || role.still) all->def[k].tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
     }
     return HAWSER_OK;
 }
 
-/* A head is pinned to a tail: both must be at one place, or the pin would tear them there. */
+/* Checks that a head and the tail that it is pinned to are at one place; otherwise the pin would force them there. */
 static hawser_status heads_check(const Reading *all)
 {
     static const double APART = 1e-6; /* m */
@@ -458,7 +459,7 @@ static hawser_status heads_check(const Reading *all)
     return HAWSER_OK;
 }
 
-/* A run is as long as the first chain that says how long; chains that are led say nothing of it. */
+/* Sets the duration to that of the first chain that has one; pulled chains have none. */
 static void duration_share(Reading *all)
 {
     int known = -1;

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "survey/read.h"
 
-/* The child of a map that may be changed. */
+/* Returns the child of a map, which may be changed. */
 static CaseNode *find(CaseNode *map, const char *key)
 {
     CaseNode *child = map->first;
@@ -17,7 +17,7 @@ static CaseNode *find(CaseNode *map, const char *key)
     return child;
 }
 
-/* Under the key, in place of what is there. The child is freed if there is no memory. */
+/* Puts the child under the key, in place of an existing one. It is freed if there is no memory. */
 static int put(CaseNode *map, const char *key, CaseNode *child)
 {
     CaseNode *const old = child && map ? find(map, key) : NULL;
@@ -29,7 +29,7 @@ static int put(CaseNode *map, const char *key, CaseNode *child)
     return 1;
 }
 
-/* The map or list `key` of a map, made if it is not there; NULL: no memory, or no map. A map where a list is wanted
+/* Returns the map or list `key` of a map, made if it is not there; NULL: no memory, or no map. A map in place of a list
  * becomes its only item. */
 static CaseNode *tree_child(CaseNode *map, const char *key, NodeKind kind)
 {
@@ -41,7 +41,7 @@ static CaseNode *tree_child(CaseNode *map, const char *key, NodeKind kind)
     return put(map, key, child) ? child : NULL;
 }
 
-/* A text like the printed one under a map's key, said to be where `like` is. 0: no memory. */
+/* Puts a printed text under a map's key, with the place of `like`. 0: no memory. */
 static int tree_put(CaseNode *map, const CaseNode *like, const char *key, const char *format, ...)
 {
     char text[CASE_PATH_MAX];
@@ -56,7 +56,7 @@ static int tree_put(CaseNode *map, const CaseNode *like, const char *key, const 
     return put(map, key, node);
 }
 
-/* A length, m, such that reading it gives the same number. 0: no memory. */
+/* Puts a length, m, in digits that give the same number when read. 0: no memory. */
 static int tree_put_length(CaseNode *map, const CaseNode *like, const char *key, double metres)
 {
     return tree_put(map, like, key, "%.17g m", metres);
@@ -127,9 +127,9 @@ static const CaseKey layer_keys[] = {
 
 SECTION(case_drawn_layer, "drawing.layers.NAME", layer_keys);
 
-/* How far past its ends the route is followed to winch and reel, m; how far beside the line a guide must be drawn for
- * its side to be the drawing's, m; how far a symbol may be turned from the route, as a cosine; and two places of the
- * route count as equally near if their distances differ by less than this share of the tolerance. */
+/* Distance past its ends up to which the route is followed to winch and reel, m; smallest distance from the line at
+ * which a guide's side is taken from the drawing, m; largest angle of a symbol with the route, as a cosine; and share
+ * of the tolerance below which two distances from the route count as equal. */
 static const double BEYOND = 50, ASIDE = 0.01, TURNED = 0.7071, EQUALLY = 0.05;
 
 /* The section while it is read. */
@@ -137,12 +137,12 @@ typedef struct Drawing {
     CaseReader *r;
     const CaseNode *node;
     DrawingRecord record;
-    const char *path; /* of the file, for messages */
+    const char *path; /* path of the file, for messages */
     Survey survey;
     RouteGrid grid;
 } Drawing;
 
-/* A layer, its marks' kind, and how they have fared. */
+/* A layer, the kind of its marks, and their result. */
 typedef struct Layer {
     const CaseNode *node, *what; /* what: the map of the rollers, conveyor or pit; NULL: see record.mark */
     LayerRecord record;
@@ -156,7 +156,7 @@ typedef struct Placed {
     Nearest near;
 } Placed;
 
-/* "plan.dxf:120: mark 'R7' of layer 'ROLLERS' ..."; marks of the case itself are numbered. */
+/* Reports "plan.dxf:120: mark 'R7' of layer 'ROLLERS' ..."; marks of the case itself are numbered. */
 static hawser_status mark_error(const Drawing *d, const SurveyMark *mark, const char *format, ...)
 {
     char where[CASE_PLACE_MAX], path[CASE_PATH_MAX], why[400];
@@ -171,7 +171,7 @@ static hawser_status mark_error(const Drawing *d, const SurveyMark *mark, const 
 
 /* --------------------------------------------------------------------------------------------------- the marks */
 
-/* Files are looked for where the case is. */
+/* Reads the file, relative to the case's folder. */
 static hawser_status file_read(Drawing *d)
 {
     const CaseNode *const node = case_node_key(d->node, "file");
@@ -212,13 +212,13 @@ static hawser_status marks_read(Drawing *d, const CaseNode *list)
     return HAWSER_OK;
 }
 
-/* The name of a block's attribute, as the DXF reader puts it behind the block's own; else the mark's own name where it
- * tells it from others; else the layer's with a number. */
+/* Makes the name: a block's attribute, which the DXF reader puts behind the block's own name; else the mark's own name
+ * where it is distinct; else the layer's with a number. */
 static void name_make(const Layer *layer, const SurveyMark *mark, int number, char name[NAME_ROOM])
 {
     const char *const colon = strstr(mark->name, ": "), *text = colon ? colon + 2 : mark->name;
     const CaseNode *const given = case_node_key(layer->what, "name");
-    const int plain = !colon && !isnan(mark->heading); /* a block's name is that of all of its insertions */
+    const int plain = !colon && !isnan(mark->heading); /* all insertions of a block have its name */
     size_t length = strcspn(text, ",");
     while (length >= NAME_ROOM || (length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80)) --length;
     if (!*text || plain)
@@ -227,8 +227,8 @@ static void name_make(const Layer *layer, const SurveyMark *mark, int number, ch
         snprintf(name, NAME_ROOM, "%.*s", (int)length, text);
 }
 
-/* Where along the route a station of its file is: such count level lengths, from the file's number for its beginning.
- * Past the ends they go on. */
+/* Returns the place along the route of a station in its file's numbers: these count level lengths, from the file's
+ * number at the beginning. They go on past the ends. */
 static double along_of(const Drawing *d, double station)
 {
     enum { STEPS_LEAST = 200, STEPS_MOST = 20000 };
@@ -248,8 +248,8 @@ static double along_of(const Drawing *d, double station)
     return length + level - done;
 }
 
-/* What a table says by x and y and by a station must agree; stations may count along the route too, as our own lists
- * of equipment do. */
+/* Checks that a table's x and y agree with its station; stations may count along the route too, as in hawser's own
+ * lists of equipment. */
 static hawser_status station_check(const Drawing *d, const Placed *p)
 {
     const double along = along_of(d, p->mark->station), s = p->near.s, tolerance = d->record.tolerance;
@@ -260,7 +260,7 @@ static hawser_status station_check(const Drawing *d, const Placed *p)
                       s, along, p->mark->station, tolerance);
 }
 
-/* (PC1), or the station that the mark gives. *far: too far away, which is not an error with `far: skip`. */
+/* Finds the place of a mark by (PC1), or by its station. *far: too far away, which is no error with `far: skip`. */
 static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p, int *far)
 {
     const SurveyMark *const mark = p->mark;
@@ -293,7 +293,7 @@ static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p,
 
 /* ------------------------------------------------------------------------------------------- into the tree */
 
-/* By which heading the pull crosses the roller: the symbol's, turned. */
+/* Writes the heading in which the pull crosses the roller: the symbol's, turned. */
 static hawser_status heading_put(const Drawing *d, const Layer *layer, const Placed *p, CaseNode *row)
 {
     if (layer->record.axis == AXIS_ROUTE) return HAWSER_OK;
@@ -312,7 +312,7 @@ static hawser_status heading_put(const Drawing *d, const Layer *layer, const Pla
     return tree_put(row, layer->node, "heading", "%.17g rad", reduced) ? HAWSER_OK : error_memory(d->r->err);
 }
 
-/* A row of one roller: `rollers.along` as it would be typed. */
+/* Writes a row of one roller, as it would be typed in `rollers.along`. */
 static hawser_status roller_put(const Drawing *d, const Layer *layer, const Placed *p)
 {
     CaseNode *const rollers = tree_child(d->r->own, "rollers", NODE_MAP);
@@ -336,7 +336,7 @@ static hawser_status roller_put(const Drawing *d, const Layer *layer, const Plac
     return guide ? HAWSER_OK : heading_put(d, layer, p, row);
 }
 
-/* A machine stands with its middle where the mark is. */
+/* Writes a machine with its middle at the mark. */
 static hawser_status conveyor_put(const Drawing *d, const Layer *layer, const Placed *p)
 {
     CaseNode *const list = tree_child(d->r->own, "conveyors", NODE_LIST);
@@ -362,7 +362,7 @@ static hawser_status pit_put(const Drawing *d, const Layer *layer, const Placed 
     return fine ? HAWSER_OK : error_memory(d->r->err);
 }
 
-/* Winch and reel belong to the route's ends, but for a winch that takes the rope in as it comes. */
+/* Writes winch and reel, which belong to the route's ends, except a winch that takes the rope in as it comes. */
 static hawser_status end_put(const Drawing *d, const Layer *layer, const Placed *p)
 {
     SceneDef *const def = d->r->def;
@@ -416,7 +416,8 @@ static DrawnDef *drawn_add(const Drawing *d, const char *layer, const char *kind
     return drawn;
 }
 
-/* The layer's keys, of which exactly one says what its marks are; what the drawing says itself must not stand there. */
+/* Reads the layer's keys, of which exactly one gives the kind of its marks; values that the drawing gives are not
+ * allowed there. */
 static hawser_status layer_read(const Drawing *d, const CaseNode *node, Layer *layer)
 {
     static const char *const kinds[] = {"rollers", "conveyor", "pit", "mark"};
@@ -440,7 +441,7 @@ static hawser_status layer_read(const Drawing *d, const CaseNode *node, Layer *l
     return HAWSER_OK;
 }
 
-/* All marks of one layer; there must be some. */
+/* Places all marks of one layer; at least one is required. */
 static hawser_status layer_place(const Drawing *d, const CaseNode *node)
 {
     Layer layer;
@@ -467,7 +468,7 @@ static hawser_status layer_place(const Drawing *d, const CaseNode *node)
                           some ? ": the first is on '" : "", some ? some : "", some ? "'" : "");
 }
 
-/* Marks on layers that the map does not have, and what else is in the file. */
+/* Lists marks on layers that the map does not have, and everything else in the file. */
 static hawser_status rest_list(const Drawing *d, const CaseNode *layers)
 {
     for (int i = 0; i < d->survey.n_marks; ++i) {
@@ -486,7 +487,7 @@ static hawser_status rest_list(const Drawing *d, const CaseNode *layers)
     return HAWSER_OK;
 }
 
-/* What marks are added to must be what it is meant to be, or its own mistake would be lost. */
+/* Checks the kind of the nodes that marks are added to, since adding would hide their error. */
 static hawser_status targets_check(const Drawing *d)
 {
     static const struct {

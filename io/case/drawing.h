@@ -1,4 +1,4 @@
-/* Equipment from a drawing, and rollers by rule: what stands between the text of a case and its lists of equipment.
+/* Equipment from a drawing, and rollers by rule: between the text of a case and its lists of equipment.
  * docs/model/18-placing.md. */
 #ifndef HAWSER_IO_CASE_DRAWING_H
 #define HAWSER_IO_CASE_DRAWING_H
@@ -8,25 +8,25 @@
 
 extern const CaseSection case_drawing, case_drawn_layer, case_drawn_mark, case_place_rule;
 
-/* Lists whose items a layer's marks become; io/case reads them. */
+/* Lists that get a layer's marks as items; io/case reads them. */
 extern const CaseSection case_roller_row, case_conveyor, case_theory_pit;
 
-/* Reads the section `drawing` once the route is there, and writes what its marks stand for into the tree, as if it
- * were in the file: rows of rollers, conveyors, pits, and the places of winch, reel and head. What became of them is in
- * r->def->drawn. Errors: INPUT (with the file's line, or the case's), MEMORY. */
+/* Reads the section `drawing` once the route is built, and writes the equipment of its marks into the tree, as if it
+ * were in the file: rows of rollers, conveyors, pits, and the places of winch, reel and head. r->def->drawn lists the
+ * results. Errors: INPUT (with the file's line, or the case's), MEMORY. */
 hawser_status case_drawing_read(CaseReader *r, const CaseNode *node);
-/* A row's part of the route, and what one of its rollers bears. */
+/* A row's part of the route, and the rated load of one of its rollers. */
 typedef struct RuleRow {
     double from, to; /* m along the route */
     double rating;   /* N; 0: none */
-    int most;        /* rollers */
+    int most;        /* largest number of rollers */
 } RuleRow;
 
-/* Rollers by a row's map `node`, with the tension of the pulling theory along the whole route: weight and friction are
- * the case's. After conveyors and reel. placed: malloc'ed, the caller's. Errors: INPUT, MEMORY. */
+/* Places rollers by a row's map `node`, with the tension by theory along the whole route: weight and friction are the
+ * case's. Called after conveyors and reel. placed: malloc'ed, the caller's. Errors: INPUT, MEMORY. */
 hawser_status case_rule_place(const CaseReader *r, const CaseNode *node, const RuleRow *row, PlacedRoller **placed,
                               int *n);
-/* Writing into a case's tree: what a drawing says stands there afterwards as if somebody had typed it; a node that is
- * put where there was another takes its place. */
+/* Writing into a case's tree: data of a drawing are there afterwards as if they had been typed; a new node replaces an
+ * existing one. */
 
 #endif

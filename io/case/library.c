@@ -1,4 +1,4 @@
-/* Where the shipped files are: nothing of this is compiled in, so that a tree may be moved after it was installed. */
+/* Finds the shipped files; no path is compiled in, so that a tree may be moved after it was installed. */
 #define _GNU_SOURCE /* dladdr */
 #include "io/case/library.h"
 
@@ -16,7 +16,7 @@
 
 const char *const library_kinds[] = {"cables", "ropes", "rollers", "ducts", "friction", "reels", NULL};
 
-/* What may stand beside the kinds at the top of a file. */
+/* Other sections at the top of a file, besides the kinds. */
 static const char *const top_keys[] = {"cables",   "ropes", "rollers", "ducts",
                                        "friction", "reels", "sources", "include"};
 
@@ -45,14 +45,14 @@ static int place_of(const char *word, const char *const *words)
 
 int library_about(const char *key) { return place_of(key, about_keys) >= 0; }
 
-/* Cables and ropes are looked for together, so that no name may be both. */
+/* Cables and ropes share one set of names. */
 static unsigned space_of(LibraryKind kind)
 {
     const unsigned lines = 1u << LIBRARY_CABLES | 1u << LIBRARY_ROPES, own = 1u << kind;
     return own & lines ? lines : own;
 }
 
-/* Linear: a library has some hundred entries, a case some dozen types. */
+/* Searches linearly: a library has some hundred entries, a case some dozen types. */
 static const LibraryEntry *find_from(const Library *library, unsigned kinds, const char *name, int shipped)
 {
     for (int i = 0; i < library->n_entries; i++) {
@@ -68,7 +68,7 @@ const LibraryEntry *library_find(const Library *library, unsigned kinds, const c
     return own ? own : find_from(library, kinds, name, 1);
 }
 
-/* The three nearest, the nearest first. */
+/* Lists the three nearest names, the nearest first. */
 void library_near(const Library *library, unsigned kinds, const char *name, size_t room, char *text)
 {
     const char *near[3] = {NULL, NULL, NULL};
@@ -90,7 +90,7 @@ void library_near(const Library *library, unsigned kinds, const char *name, size
     }
 }
 
-/* A text of an entry, or NULL; anything else is an error. */
+/* Reads a text of an entry, or NULL; anything else is an error. */
 static hawser_status text_of(const CaseNode *entry, const char *key, const char **text, hawser_error *err)
 {
     const CaseNode *const node = case_node_key(entry, key);
@@ -101,7 +101,7 @@ static hawser_status text_of(const CaseNode *entry, const char *key, const char 
     return HAWSER_OK;
 }
 
-/* A range is "5 %", either way, or [from, to]. */
+/* Checks a range: "5 %", either way, or [from, to]. */
 static hawser_status range_check(const CaseNode *range, hawser_error *err)
 {
     if (!range) return HAWSER_OK;
@@ -115,7 +115,7 @@ static hawser_status range_check(const CaseNode *range, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* What an entry says of itself. A source is a name of the file's `sources`, or words. */
+/* Reads an entry's keys about itself. A source is a name of the file's `sources`, or plain text. */
 static hawser_status about_read(const CaseTree *file, LibraryEntry *e, hawser_error *err)
 {
     const char *source = NULL;
@@ -131,7 +131,7 @@ static hawser_status about_read(const CaseTree *file, LibraryEntry *e, hawser_er
     return case_value_error(err, case_node_key(e->node, "mark"), ": expected typical or estimated");
 }
 
-/* Room for one more; entries do not move once nodes point at them. */
+/* Allocates one more entry; entries must not move once nodes point at them. */
 static hawser_status reserve(Library *library, const CaseNode *node, hawser_error *err)
 {
     if (library->n_entries == LIBRARY_ENTRIES_MAX) {
@@ -163,7 +163,7 @@ static hawser_status entry_read(Library *library, const CaseTree *file, const Ca
     return status;
 }
 
-/* One section of a file: a kind, or what stands beside the kinds. */
+/* Reads one section of a file: a kind, or another one. */
 static hawser_status section_read(Library *library, const CaseTree *file, const CaseNode *node, int shipped,
                                   hawser_error *err)
 {
@@ -176,7 +176,7 @@ static hawser_status section_read(Library *library, const CaseTree *file, const 
         }
         return status;
     }
-    if (strcmp(node->key, "include") == 0) return HAWSER_OK; /* the includer's business */
+    if (strcmp(node->key, "include") == 0) return HAWSER_OK; /* read by the caller */
     if (strcmp(node->key, "sources") == 0) {
         return node->kind == NODE_MAP ? HAWSER_OK : case_value_error(err, node, ": expected a map of names and texts");
     }
@@ -218,15 +218,15 @@ static hawser_status library_read(Library *library, const char *path, int shippe
     return status;
 }
 
-/* `include`: files of the user's own, each relative to the file that names it. */
+/* `include`: the user's own files, each relative to the file that names it. */
 
 enum { PATH_ROOM = 4096 };
 
-/* A file that has been met, by what it is, not by how it is called. */
+/* A file that was read, by its identity and not its name. */
 typedef struct Met {
     dev_t device;
     ino_t inode;
-    int open; /* its own includes are being read: to meet it again is a circle */
+    int open; /* its own includes are being read: including it again is a circle */
 } Met;
 
 typedef struct Including {
@@ -238,7 +238,7 @@ typedef struct Including {
 
 static hawser_status files_read(Including *in, const CaseTree *from, int depth);
 
-/* What is wrong with a path before it is opened; nothing that is no plain file is ever opened. */
+/* Checks a path before it is opened; only plain files are opened. */
 static hawser_status path_check(const Including *in, const CaseNode *node, const char *path, struct stat *is)
 {
     if (stat(path, is) != 0) return case_value_error(in->err, node, ": '%s' cannot be read: %s", path, strerror(errno));
@@ -249,7 +249,7 @@ static hawser_status path_check(const Including *in, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* One file and what it includes in turn; one that has been read already is not read again. */
+/* Reads one file and its includes, unless it was read already. */
 static hawser_status file_read(Including *in, const CaseTree *from, const CaseNode *node, int depth)
 {
     char path[PATH_ROOM];
@@ -282,7 +282,7 @@ static hawser_status file_read(Including *in, const CaseTree *from, const CaseNo
     return status;
 }
 
-/* A name, or a list of them. */
+/* Reads a name, or a list of names. */
 static hawser_status files_read(Including *in, const CaseTree *from, int depth)
 {
     const CaseNode *const node = case_node_key(from->root, "include");
@@ -296,16 +296,16 @@ static hawser_status files_read(Including *in, const CaseTree *from, int depth)
     return status;
 }
 
-/* Adds the files that a case's `include` names, and those that these include, each once. Errors: as above, and INPUT
- * with the file and line of the include: no text, a file that is not there or no file, in a circle, too deep, too
- * large; a case without a folder. */
+/* Adds the files that a case's `include` names, and their own includes, each once. Errors: as above, and INPUT with the
+ * file and line of the include: no text, a file that is not there or no file, in a circle, too deep, too large; a case
+ * without a folder. */
 static hawser_status library_include(Library *library, const CaseTree *tree, hawser_error *err)
 {
     Including in = {.library = library, .err = err};
     return files_read(&in, tree, 1);
 }
 
-/* `type` in a case: the keys of the entry that it names, wherever the case does not say itself. */
+/* `type` in a case: brings the keys of the entry that it names, where the case does not give them. */
 
 enum { NEAR_MAX = 300 };
 
@@ -317,8 +317,8 @@ enum {
     REELS = 1u << LIBRARY_REELS
 };
 
-/* What a key that the case gives takes the place of, beside itself: it says the same in other words. NULL behind the
- * last. */
+/* Keys of an entry that a key given in the case displaces, besides itself, because it has the same meaning. NULL behind
+ * the last. */
 static const struct {
     unsigned kinds;
     const char *given, *displaced[4];
@@ -334,7 +334,7 @@ static const struct {
 
 enum { DISPLACEMENTS = sizeof displacements / sizeof *displacements };
 
-/* Whether a node is the child `key` of the root's, or of the root's child `above`. */
+/* Checks whether a node is the child `key` of the root, or of the root's child `above`. */
 static int is_under(const CaseNode *node, const char *above, const char *key)
 {
     if (!node || !node->key || strcmp(node->key, key) != 0) return 0;
@@ -342,7 +342,7 @@ static int is_under(const CaseNode *node, const char *above, const char *key)
     return is_under(node->parent, NULL, above);
 }
 
-/* Of which kinds a map's `type` is; 0: it may have none. */
+/* Returns the kinds of which a map's `type` may be; 0: it may have none. */
 static unsigned kinds_of(const CaseNode *map)
 {
     const CaseNode *const p = map->parent;
@@ -367,7 +367,7 @@ static int has_type(const CaseNode *node)
     return 0;
 }
 
-/* Whether the case says what this key of an entry would say. */
+/* Checks whether the case gives this key of an entry, directly or in other words. */
 static int is_given(const CaseNode *map, unsigned kinds, const char *key)
 {
     if (case_node_key(map, key)) return 1;
@@ -392,7 +392,7 @@ static hawser_status type_unknown(const Library *library, const CaseNode *type, 
                             library_kinds[kind]);
 }
 
-/* What is given is looked at before anything is added: an entry does not displace its own keys. */
+/* Finds the given keys before anything is added, so that an entry does not displace its own keys. */
 static hawser_status type_merge(const Library *library, CaseNode *map, const CaseNode *type, hawser_error *err)
 {
     const unsigned kinds = kinds_of(map);
@@ -420,7 +420,7 @@ static hawser_status type_merge(const Library *library, CaseNode *map, const Cas
     return bad ? error_memory(err) : HAWSER_OK;
 }
 
-/* From the outside in: a friction that an entry of a roller brings may have a type of its own. */
+/* Works from the outside in: a friction in an entry of a roller may have a type of its own. */
 static hawser_status types_merge(const Library *library, CaseNode *node, hawser_error *err)
 {
     const CaseNode *const type = type_of(node);
@@ -430,7 +430,7 @@ static hawser_status types_merge(const Library *library, CaseNode *node, hawser_
     return status;
 }
 
-/* Includes are read even where nothing refers to them, for their mistakes; the shipped files only for a type. */
+/* Reads includes even if nothing refers to them, to find their errors; shipped files are read only for a type. */
 hawser_status library_expand(const CaseTree *tree, CaseNode **root, Library **library, hawser_error *err)
 {
     const int typed = has_type(tree->root);
@@ -447,14 +447,14 @@ hawser_status library_expand(const CaseTree *tree, CaseNode **root, Library **li
         *root = node_free(*root);
         library_free(own);
     } else {
-        *library = own; /* also of a case without a type: its files are the case's */
+        *library = own; /* also for a case without a type: its files belong to the case */
     }
     return status;
 }
 
 static const char PLACE[] = "share/hawser/library";
 
-/* 0: errno says why not. */
+/* Returns 0 with errno if it is no folder. */
 static int is_folder(const char *path)
 {
     struct stat is;
@@ -463,8 +463,8 @@ static int is_folder(const char *path)
     return S_ISDIR(is.st_mode);
 }
 
-/* A place beside the folder of a program or library, or up to two above it: bin, lib, lib/x86_64-linux-gnu; in a build
- * cli and tests/fuzz. Malloc'ed; NULL: not there. */
+/* Finds a place beside the folder of a program or library, or up to two above it: bin, lib, lib/x86_64-linux-gnu; in a
+ * build cli and tests/fuzz. Malloc'ed; NULL: not there. */
 static char *beside(const char *module, const char *place)
 {
     char path[2 * PATH_MAX], *real = realpath(module, NULL);
@@ -486,7 +486,8 @@ char *shipped_find(const char *place)
     return found ? found : beside("/proc/self/exe", place);
 }
 
-/* The folder of the shipped files, malloc'ed; NULL if there is none. `looked` (1000 bytes): where it was looked for. */
+/* Returns the folder of the shipped files, malloc'ed; NULL if there is none. `looked` (1000 bytes): the places that
+ * were tried. */
 static char *library_folder(char *looked, size_t room)
 {
     const char *const named = getenv("HAWSER_LIBRARY");
@@ -514,7 +515,7 @@ static int is_yaml(const struct dirent *file)
     return n > 5 && strcmp(file->d_name + n - 5, ".yaml") == 0;
 }
 
-/* In the order of their names, so that a list of the catalogue is always the same. */
+/* Reads the files in the order of their names, so that the catalogue's lists always have the same order. */
 hawser_status library_ship(Library *library, hawser_error *err)
 {
     char looked[1000], path[PATH_MAX + 300];

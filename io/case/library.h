@@ -1,6 +1,6 @@
 /* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name (docs/library.md).
- * Entries are maps of the case's own keys, in files of YAML: those that are shipped and those that a case includes.
- * What is said of an entry itself stands beside its keys: `source`, `range`, `mark`, `note`. */
+ * Entries are maps of the case's own keys, in YAML files: the shipped ones and those that a case includes. Keys about
+ * an entry itself stand beside these: `source`, `range`, `mark`, `note`. */
 #ifndef HAWSER_IO_CASE_LIBRARY_H
 #define HAWSER_IO_CASE_LIBRARY_H
 
@@ -16,17 +16,17 @@ typedef enum LibraryKind {
     LIBRARY_KINDS
 } LibraryKind;
 
-/* The names of the kinds, as sections of the files; NULL behind the last. */
+/* Names of the kinds, as sections of the files; NULL behind the last. */
 extern const char *const library_kinds[];
 
-/* INPUT: what is none of them. */
+/* Returns INPUT for a name that is no kind. */
 hawser_status library_kind_error(const char *kind, hawser_error *err);
 typedef struct LibraryEntry {
     LibraryKind kind;
     int shipped; /* 0: from a file that the case includes */
     const char *name;
     const CaseNode *node; /* its map */
-    const char *source;   /* in words; of a user's entry perhaps its file's name alone */
+    const char *source;   /* as text; for a user's entry perhaps only its file's name */
     const char *mark;     /* "typical", "estimated" */
     const char *note;     /* NULL: none */
 } LibraryEntry;
@@ -36,29 +36,29 @@ enum { LIBRARY_FILES_MAX = 128, LIBRARY_ENTRIES_MAX = 20000, LIBRARY_DEPTH_MAX =
 typedef struct Library {
     CaseTree *file[LIBRARY_FILES_MAX]; /* [n_files] owned; names and texts of the entries are theirs */
     int n_files, n_entries, room;
-    LibraryEntry *entry; /* [n_entries] owned; nodes that were merged point at them: it no longer grows then */
+    LibraryEntry *entry; /* [n_entries] owned; merged nodes point at them, after which it no longer grows */
 } Library;
 
-/* Empty; NULL if there is no memory. */
+/* Returns an empty library; NULL if there is no memory. */
 Library *library_new(void);
 Library *library_free(Library *library);
-/* The same of a tree that has been read, which is the library's from then on. */
+/* Does the same for a tree that has been read, which the library owns from then on. */
 hawser_status library_take(Library *library, CaseTree *file, int shipped, hawser_error *err);
-/* Adds the shipped files: of the folder HAWSER_LIBRARY if the environment names one, else of share/hawser/library
- * beside the program or the library that this function is in. Errors: INPUT that says where it was looked for. */
+/* Adds the shipped files: from the folder in the environment's HAWSER_LIBRARY, else from share/hawser/library beside
+ * the program or the library that contains this function. Errors: INPUT with the places that were tried. */
 hawser_status library_ship(Library *library, hawser_error *err);
-/* What is shipped in a place ("share/hawser/library") beside the program or the library that this function is in, or up
- * to two folders above; malloc'ed; NULL: it is not there. */
+/* Returns the path of shipped files ("share/hawser/library") beside the program or the library that contains this
+ * function, or up to two folders above; malloc'ed; NULL: it is not there. */
 char *shipped_find(const char *place);
-/* The entry of a name among kinds (a bit each, 1 << kind); what the case includes comes first. NULL: none. */
+/* Returns the entry of a name among kinds (a bit each, 1 << kind); the case's own includes come first. NULL: none. */
 const LibraryEntry *library_find(const Library *library, unsigned kinds, const char *name);
-/* "'a', 'b' or 'c'": names among kinds that are nearest to `name`; empty if there are none. */
+/* Returns "'a', 'b' or 'c'": the names among kinds that are nearest to `name`; empty if there are none. */
 void library_near(const Library *library, unsigned kinds, const char *name, size_t room, char *text);
-/* Whether a key of an entry is about the entry, not of the case. */
+/* Checks whether a key of an entry is about the entry, not a key of a case. */
 int library_about(const char *key);
-/* A copy of the case's tree in which each `type` has brought the keys of its entry that are not given beside it; NULL
- * if the case has no `type`, and then the library is not opened either. *library: whose entries the copy points at;
- * NULL likewise. The caller frees both. Errors: INPUT, MEMORY. */
+/* Returns a copy of the case's tree in which each `type` has added the keys of its entry that are not given beside it;
+ * NULL if the case has no `type`, and then the library is not opened either. *library: owner of the entries that the
+ * copy points at; NULL likewise. The caller frees both. Errors: INPUT, MEMORY. */
 hawser_status library_expand(const CaseTree *tree, CaseNode **root, Library **library, hawser_error *err);
 
 #endif

@@ -16,7 +16,7 @@ enum { WANTED_MAX = 128, NAMES_MAX = 64, NUMBER_MAX = 32 };
 
 const char *const case_ramps[] = {"none", "step", "step5", NULL};
 
-/* Sections stand in several places (a friction law, say), but once in the list. */
+/* Adds each section once; a section may have several places (a friction law, for example). */
 int case_sections(const CaseSection *section, const CaseSection *all[], int n)
 {
     for (int i = 0; i < n; i++) {
@@ -30,7 +30,7 @@ int case_sections(const CaseSection *section, const CaseSection *all[], int n)
     return n;
 }
 
-/* Sections have two dozen keys at most: a search from the first on is quick enough. */
+/* Searches linearly: sections have two dozen keys at most. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name)
 {
     for (int k = 0; k < section->n; k++) {
@@ -39,7 +39,7 @@ const CaseKey *case_key_of(const CaseSection *section, const char *name)
     return NULL;
 }
 
-/* A number as people write it: 1e6, not 1000000 or 1e+06. */
+/* Writes a number as people do: 1e6, not 1000000 or 1e+06. */
 static const char *number_text(double value, char *text)
 {
     snprintf(text, NUMBER_MAX, fabs(value) < 1e5 ? "%.10g" : "%.10e", value);
@@ -50,7 +50,7 @@ static const char *number_text(double value, char *text)
     return text;
 }
 
-/* Angles are given in degrees, which is how people write them. */
+/* Writes angles in degrees, as people do. */
 const char *case_range_text(const CaseKey *key, char *text)
 {
     char min[NUMBER_MAX], max[NUMBER_MAX];
@@ -90,13 +90,13 @@ hawser_status case_idle_check(const CaseReader *r, const CaseNode *node, int n, 
             all &= case_node_key(node, rule[i].beside[k]) != NULL;
             snprintf(given + used, sizeof given - used, "%s'%s'", k ? " and " : "", rule[i].beside[k]);
         }
-        if (all && !idle->entry) /* what a catalogue has may be said otherwise */
+        if (all && !idle->entry) /* the catalogue may give the same in other keys */
             return case_key_error(r->err, idle, NULL, "says nothing beside %s: leave it out, or change these", given);
     }
     return HAWSER_OK;
 }
 
-/* A NaN never comes here: units_read refuses it. */
+/* No NaN arrives here: units_read rejects it. */
 hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const CaseKey *key, double value)
 {
     char range[CASE_RANGE_MAX];
@@ -108,7 +108,7 @@ hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const 
     return case_value_error(r->err, node, " is out of range: must be %s", case_range_text(key, range));
 }
 
-/* What is wrong with the text comes before what is wrong with the value. */
+/* Reports errors of the text before those of the value. */
 hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double *value)
 {
     char why[UNITS_WHY_MAX], wanted[WANTED_MAX];
@@ -119,7 +119,7 @@ hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const 
     return case_range_check(r, node, key, *value);
 }
 
-/* The first item that is wrong is named by its own key, as in 'gravity.2'. */
+/* Names the first wrong item by its own key, as in 'gravity.2'. */
 hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n, const CaseKey *const key[],
                                 double value[])
 {
@@ -132,7 +132,7 @@ hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n
     return HAWSER_OK;
 }
 
-/* Digits only: '1e3' and '2.0' are refused, for what stands there is a count. */
+/* Accepts digits only: '1e3' and '2.0' are rejected, for the value is a count. */
 hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, long *value)
 {
     static const char wanted[] = ": expected a whole number, such as 2";
@@ -147,7 +147,7 @@ hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const
     return case_range_check(r, node, key, (double)*value);
 }
 
-/* Counts are int, but the number of steps is long. */
+/* Handles int and long: most counts are int, but the number of steps is long. */
 static hawser_status integer_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, void *at)
 {
     long value = 0;
@@ -171,7 +171,7 @@ int case_word_place(const CaseNode *node, const char *const *word)
     return -1;
 }
 
-/* YAML's words for truth, in pairs: the even places are false. */
+/* YAML's words for truth values, in pairs: the even places are false. */
 static const char *const truth_words[] = {"false", "true", "no", "yes", "off", "on", NULL};
 
 static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *value)
@@ -182,7 +182,7 @@ static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *
     return HAWSER_OK;
 }
 
-/* Letters and digits alone, in lower case: "TB 889" is tb889. `out` has WANTED_MAX bytes. */
+/* Writes letters and digits alone, in lower case: "TB 889" becomes tb889. `out` has WANTED_MAX bytes. */
 static const char *word_plain(const char *text, char *out)
 {
     static const char *const same[][2] = {{"aluminum", "aluminium"}, {"al", "aluminium"}, {"alu", "aluminium"},
@@ -198,9 +198,9 @@ static const char *word_plain(const char *text, char *out)
     return out;
 }
 
-/* The choices are in the order of the enumeration, so that the place is the value. Capitals, blanks and usual other
- * names of a choice do not matter; a choice that is a word for truth has all words for the same truth, as YAML writes
- * one for another: `planar: false` is `planar: off`. */
+/* Reads a choice; its place in the list is the enumeration's value. Capitals, blanks and usual other names of a choice
+ * do not matter; a choice that is a truth value accepts all words for it, since YAML writers exchange them: `planar:
+ * false` is `planar: off`. */
 static hawser_status choice_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, int *value)
 {
     char all[WANTED_MAX] = "", given[WANTED_MAX], allowed[WANTED_MAX];
@@ -223,7 +223,7 @@ static hawser_status choice_field(const CaseReader *r, const CaseNode *node, con
     return case_value_error(r->err, node, ": expected one of %s", all);
 }
 
-/* A text that does not fit is refused, never cut. */
+/* Rejects a text that is too long; it is never cut. */
 static hawser_status text_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, char *at)
 {
     if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a text");
@@ -235,7 +235,7 @@ static hawser_status text_field(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* Three numbers of one dimension and range. */
+/* Reads three numbers of one dimension and range. */
 static hawser_status point_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, Vec3 *at)
 {
     const CaseKey *const keys[3] = {key, key, key};
@@ -245,7 +245,7 @@ static hawser_status point_field(const CaseReader *r, const CaseNode *node, cons
     return status;
 }
 
-/* A value that code of its own will read: only its kind is looked at here. */
+/* Checks only the kind of a value that other code reads. */
 static hawser_status node_check(const CaseReader *r, const CaseNode *node, const CaseKey *key)
 {
     char form[CASE_FORM_MAX];
@@ -258,7 +258,7 @@ static hawser_status node_check(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* One value into its place in the record, by its kind. */
+/* Reads one value into its place in the record, by its kind. */
 static hawser_status field_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, char *at)
 {
     switch (key->kind) {
@@ -284,19 +284,19 @@ static hawser_status field_read(const CaseReader *r, const CaseNode *node, const
     return node_check(r, node, key);
 }
 
-/* What an absent key means: its fallback is read as if it had been written; the rest has a neutral value. */
+/* Sets the meaning of an absent key: its fallback is read as if it had been written; the rest gets a neutral value. */
 static hawser_status field_default(const CaseReader *r, const CaseKey *key, char *at)
 {
     CaseNode written = {.kind = NODE_TEXT, .origin = "default", .text = (char *)(size_t)key->fallback};
     if (key->kind == KEY_SECTION) return case_section_read(r, NULL, key->section, at);
     if (key->fallback && key->kind != KEY_POINT) return field_read(r, &written, key, at);
-    assert(key->otherwise || (key->kind != KEY_FLAG && key->kind != KEY_CHOICE)); /* its reader looks for the key */
+    assert(key->otherwise || (key->kind != KEY_FLAG && key->kind != KEY_CHOICE)); /* for its reader */
     memset(at, 0, key->size);
     if (key->kind == KEY_NUMBER) *(double *)(void *)at = NAN;
     return HAWSER_OK;
 }
 
-/* {mu: 0,3}: to YAML a key 'mu' of the value 0, and a key '3' without one. */
+/* Detects {mu: 0,3}: for YAML a key 'mu' with the value 0, and a key '3' without one. */
 static int is_comma(const CaseNode *child, const CaseNode *before)
 {
     if (!before || before->kind != NODE_TEXT || child->kind != NODE_TEXT || *child->text) return 0;
@@ -304,7 +304,7 @@ static int is_comma(const CaseNode *child, const CaseNode *before)
     return isdigit((unsigned char)*child->key) && end > 0 && isdigit((unsigned char)before->text[end - 1]);
 }
 
-/* Points at the first key of the map that the section does not know. */
+/* Reports the first key of the map that the section does not have. */
 static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const CaseSection *section)
 {
     const char *name[NAMES_MAX];
@@ -330,7 +330,7 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const 
     return HAWSER_OK;
 }
 
-/* The message says what to write, not only that it is missing. */
+/* Reports a missing key with what to write. */
 static hawser_status missing(const CaseReader *r, const CaseNode *map, const CaseKey *key)
 {
     if (key->kind == KEY_NUMBER) {
@@ -342,7 +342,7 @@ static hawser_status missing(const CaseReader *r, const CaseNode *map, const Cas
     return case_key_error(r->err, map, key->name, "missing: give %s", node ? case_form_text(key, form) : "it");
 }
 
-/* Every key of the section is visited, there or not, so that the record is always complete. */
+/* Visits every key of the section, present or not, so that the record is always complete. */
 hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *record)
 {
     if (node && node->kind != NODE_MAP) {
@@ -379,9 +379,9 @@ hawser_status case_list_read(const CaseReader *r, const CaseNode *list, size_t s
     return status;
 }
 
-/* The inputs of a case: every key that has a value, and where that comes from. Four sources, in this order: what is
- * written, in the tree's order (with what a `type` brought from the catalogue); what was estimated; what the tables of
- * keys say of those that are missing. A default that several items of a list share stands once, with N for the item. */
+/* Lists the inputs of a case: every key that has a value, and its source. Four sources, in this order: written values,
+ * in the tree's order (with those that a `type` brought from the catalogue); estimates; the defaults of missing keys in
+ * the tables. A default that several items of a list share is listed once, with N for the item. */
 
 enum { VALUE_MAX = 240, LISTED_MAX = 400 };
 
@@ -389,10 +389,10 @@ enum { VALUE_MAX = 240, LISTED_MAX = 400 };
 typedef struct Gathering {
     const CaseReader *r;
     int room;
-    int listed[LISTED_MAX], n_listed; /* where in the list the defaults begin whose key has an N */
+    int listed[LISTED_MAX], n_listed; /* where in the list the defaults with N in their key begin */
 } Gathering;
 
-/* Room for so many bytes more. */
+/* Allocates this many more bytes. */
 static hawser_status room_make(Gathering *g, size_t more)
 {
     SceneDef *const def = g->r->def;
@@ -407,7 +407,7 @@ static hawser_status room_make(Gathering *g, size_t more)
     return HAWSER_OK;
 }
 
-/* One input: its texts behind those of the others, each with a NUL (INPUT_TEXTS of them). */
+/* Adds one input: its texts behind the others, each with a NUL (INPUT_TEXTS of them). */
 static hawser_status input_add(Gathering *g, const char *const text[INPUT_TEXTS])
 {
     SceneDef *const def = g->r->def;
@@ -424,7 +424,7 @@ static hawser_status input_add(Gathering *g, const char *const text[INPUT_TEXTS]
     return HAWSER_OK;
 }
 
-/* Where a number ends that the text begins with, whatever the program's locale is; the text itself if there is none. */
+/* Returns the end of the number that the text begins with, in any locale of the program; 0 if there is none. */
 static size_t number_length(const char *text)
 {
     size_t n = strspn(text, "+-");
@@ -436,8 +436,8 @@ static size_t number_length(const char *text)
     return sign + strspn(text + sign, "0123456789") > sign ? sign + strspn(text + sign, "0123456789") : n;
 }
 
-/* A number with a unit behind it, "152.5 m", is cut in two; any other text is all value. Returns the unit, which lies
- * in the text's room or is empty. */
+/* Splits a number and its unit, "152.5 m"; any other text is all value. Returns the unit, which lies in the text's
+ * memory or is empty. */
 static const char *unit_cut(char *text)
 {
     const size_t n = number_length(text);
@@ -457,8 +457,7 @@ static hawser_status value_add(Gathering *g, const char *key, const char *text, 
     return input_add(g, (const char *const[INPUT_TEXTS]){key, value, unit, origin, where, source});
 }
 
-/* A list as it would be written, "[0, 0, [5, 6]]", of which the end is left out where it is long. Returns 0 if it holds
- * a map. */
+/* Writes a list as in a case, "[0, 0, [5, 6]]", cut where it is too long. Returns 0 if it holds a map. */
 static int list_text(const CaseNode *list, size_t room, char *text)
 {
     size_t n = (size_t)snprintf(text, room, "[");
@@ -474,7 +473,7 @@ static int list_text(const CaseNode *list, size_t room, char *text)
     return 1;
 }
 
-/* One value that is written in the case, or that its type brought. */
+/* Adds one value that is written in the case, or that its type brought. */
 static hawser_status leaf_add(Gathering *g, const CaseNode *node, const char *text)
 {
     char path[CASE_PATH_MAX], place[CASE_PLACE_MAX], source[HAWSER_ASSUMPTION_SOURCE_MAX] = "";
@@ -505,7 +504,7 @@ static hawser_status estimates_add(Gathering *g)
     return status;
 }
 
-/* Whether a default of an item of a list stands already: another item has been without the key too. */
+/* Checks whether the default of a list item is listed already, from another item without the key. */
 static int is_listed(const Gathering *g, const char *key)
 {
     for (int i = 0; i < g->n_listed; ++i) {
@@ -524,8 +523,8 @@ static int is_estimated(const Gathering *g, const char *key)
     return 0;
 }
 
-/* What a missing key means, in the words of the table; one that has no default ("none: or `points`") has no value.
- * `many`: the key is that of an item of a list. */
+/* Adds the meaning of a missing key, in the words of the table; a key without a default ("none: or `points`") has no
+ * value. `many`: the key is that of an item of a list. */
 static hawser_status default_add(Gathering *g, const CaseKey *key, const char *path, int many)
 {
     char words[VALUE_MAX];
@@ -544,7 +543,7 @@ static hawser_status default_add(Gathering *g, const CaseKey *key, const char *p
 static hawser_status defaults_add(Gathering *g, const CaseNode *map, const CaseSection *section, const char *path,
                                   int many);
 
-/* What a key's value leaves out: a map its keys, a map of names or a list those of each item. */
+/* Adds the keys missing inside a key's value: of a map its keys, of a map of names or a list those of each item. */
 static hawser_status inner_add(Gathering *g, const CaseNode *value, const CaseSection *section, const char *path,
                                int many)
 {
@@ -562,7 +561,7 @@ static hawser_status inner_add(Gathering *g, const CaseNode *value, const CaseSe
     return status;
 }
 
-/* The missing keys of one section. map NULL: the section is missing itself, and its defaults count. */
+/* Adds the missing keys of one section. map NULL: the section itself is missing, and its defaults apply. */
 static hawser_status defaults_add(Gathering *g, const CaseNode *map, const CaseSection *section, const char *path,
                                   int many)
 {
@@ -589,18 +588,18 @@ hawser_status case_inputs_read(CaseReader *r, const CaseSection *top)
     return status ? status : defaults_add(&g, r->root, top, "", 0);
 }
 
-/* What a case did not say itself: values that came with a `type`, and rigidities that were estimated. They are gathered
- * from the tree once everything else has been read, for those who read the results. */
+/* Lists the values that a case does not give itself: those of a `type`, and estimated rigidities. They are collected
+ * from the tree after all else has been read, for readers of the results. */
 
 static const char GIVEN[] = "given", CATALOGUE[] = "catalogue", ESTIMATED[] = "estimated", NOT_READ[] = "not read";
 
-/* The list as it grows, and the entries' values that are in it already. */
+/* The growing list, and the entries' values that are in it already. */
 typedef struct AssumptionList {
     const CaseReader *r;
     int room;
 } AssumptionList;
 
-/* One more; NULL without memory. */
+/* Adds one; NULL without memory. */
 static hawser_assumption *assumption_add(AssumptionList *g, const char *key, const char *value, const char *origin)
 {
     SceneDef *const def = g->r->def;
@@ -618,7 +617,7 @@ static hawser_assumption *assumption_add(AssumptionList *g, const char *key, con
     return a;
 }
 
-/* Whether the list has the same key of the same entry already, at another roller or duct. */
+/* Checks whether the list has the same key of the same entry already, from another roller or duct. */
 static int is_repeated(const AssumptionList *g, const char *leaf, const char *source)
 {
     const SceneDef *const def = g->r->def;
@@ -630,7 +629,7 @@ static int is_repeated(const AssumptionList *g, const char *leaf, const char *so
     return 0;
 }
 
-/* The range of an entry's value, as it was written: " (70 mm to 75 mm)", " (+- 5 %)"; empty if there is none. */
+/* Writes the range of an entry's value, as in the file: " (70 mm to 75 mm)", " (+- 5 %)"; empty if there is none. */
 static const char *range_text(const LibraryEntry *entry, const char *key, size_t room, char *text)
 {
     const CaseNode *const range = case_node_key(case_node_key(entry->node, "range"), key);
@@ -641,7 +640,7 @@ static const char *range_text(const LibraryEntry *entry, const char *key, size_t
     return text;
 }
 
-/* One value of a part of the case, or those of a map below it. */
+/* Adds one value of a part of the case, or those of a map below it. */
 static hawser_status assumption_value_add(AssumptionList *g, const CaseNode *node, int once)
 {
     char path[CASE_PATH_MAX], source[HAWSER_ASSUMPTION_SOURCE_MAX] = "", range[100];
@@ -663,18 +662,18 @@ static hawser_status assumption_value_add(AssumptionList *g, const CaseNode *nod
     return HAWSER_OK;
 }
 
-/* All that is said of a part that has a type, or an estimate: what was given stands beside what was not. */
+/* Adds all values of a part with a type or an estimate, including the given ones. */
 static hawser_status part_add(AssumptionList *g, const CaseNode *part, int once)
 {
     hawser_status status = HAWSER_OK;
     for (const CaseNode *child = part->first; child && !status; child = child->next) {
-        if (once && !child->entry) continue; /* of rollers, ducts and frictions only what the type brought */
+        if (once && !child->entry) continue; /* for rollers, ducts and frictions only values of the type */
         if (strcmp(child->key, "type") != 0) status = assumption_value_add(g, child, once);
     }
     return status;
 }
 
-/* An estimated rigidity, with what it is worth. */
+/* Adds an estimated rigidity with its accuracy. */
 static hawser_status estimate_add(AssumptionList *g, const CaseNode *cable, const char *key, double value,
                                   const char *unit, const char *worth, ...)
 {
@@ -718,7 +717,7 @@ static hawser_status assumption_estimates_add(AssumptionList *g, const CaseNode 
     return status;
 }
 
-/* Rollers, ducts and frictions, wherever they are. */
+/* Adds rollers, ducts and frictions, wherever they are. */
 static hawser_status types_add(AssumptionList *g, const CaseNode *node)
 {
     hawser_status status = node->kind == NODE_MAP && case_node_key(node, "type") ? part_add(g, node, 1) : HAWSER_OK;

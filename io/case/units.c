@@ -41,16 +41,16 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_STIFFNESS] = {"a force per power of a length", "N/m^e", "3.4e8 N/m^1.5"},
 };
 
-/* Base units. The radian is one of them, so that an angle cannot pass for a pure number. */
+/* Base units. The radian is one of them, so that an angle is never taken for a pure number. */
 static const char *const base_units[] = {"m", "kg", "s", "rad"};
 
 /* The others, each from those above it; the inch, foot and pound are exact by definition. A circular mil is the area of
- * a circle of a thousandth of an inch across. */
+ * a circle with a diameter of a thousandth of an inch. */
 typedef struct UnitRow {
     const char *name;
     double scale;
     const char *of;
-    int american; /* k is the only prefix: M is a thousand in MCM and Mft, and a million elsewhere */
+    int american; /* k is the only prefix: M means thousand in MCM and Mft, and million elsewhere */
 } UnitRow;
 
 static const UnitRow derived_units[] = {
@@ -79,7 +79,7 @@ static const UnitRow derived_units[] = {
     {"MCM", 1e3, "cmil", 1},
     {"J", 1, "N m"},
     {"W", 1, "J s-1"},
-    {"meter", 1, "m"}, /* the same in words */
+    {"meter", 1, "m"}, /* the same as words */
     {"metre", 1, "m"},
     {"meters", 1, "m"},
     {"metres", 1, "m"},
@@ -104,15 +104,15 @@ typedef struct Unit {
 
 struct Units {
     Unit si[DIM_COUNT];
-    locale_t numbers; /* a point is a point */
+    locale_t numbers; /* the decimal sign is a point */
 };
 
 enum { POWER_MAX = 99 };
 
 static int unit_parse(const char *text, Unit *out);
 
-/* The unit with exactly that name, or 0; *american, if it is one. Each derived one is made of those before it in the
- * table, so that this ends. */
+/* Finds the unit with exactly that name, or returns 0; *american is set if it is one. Recursion ends: each derived unit
+ * is made of those before it in the table. */
 static int unit_named(const char *name, size_t length, Unit *out, int *american)
 {
     *american = 0;
@@ -132,7 +132,7 @@ static int unit_named(const char *name, size_t length, Unit *out, int *american)
     return 0;
 }
 
-/* The same with a prefix where the whole is no name: "min" is a minute. */
+/* Does the same with a prefix where the whole is no name: "min" is a minute. */
 static int unit_find(const char *name, size_t length, Unit *out)
 {
     int american;
@@ -147,8 +147,8 @@ static int unit_find(const char *name, size_t length, Unit *out)
     return 0;
 }
 
-/* The power behind a name, 1 if there is none: "2", "-1", "^2", "^-1", or a small one. Returns what follows it; NULL if
- * it is none. */
+/* Reads the power behind a name, 1 if there is none: "2", "-1", "^2", "^-1", or a superscript. Returns the text after
+ * it; NULL if it is none. */
 static const char *power_read(const char *text, int *power)
 {
     *power = 1;
@@ -164,7 +164,7 @@ static const char *power_read(const char *text, int *power)
     return abs(*power) <= POWER_MAX ? digits + n : NULL;
 }
 
-/* What stands between two units: 1 a product, -1 a quotient. Returns where the next one begins. */
+/* Reads the sign between two units: 1 a product, -1 a quotient. Returns where the next one begins. */
 static const char *sign_read(const char *text, int *sign)
 {
     text += strspn(text, " ");
@@ -179,15 +179,15 @@ static const char *sign_read(const char *text, int *sign)
     return text + strspn(text, " ");
 }
 
-/* Names with powers, their products and quotients from left to right: "N s/m", "kg.m-1", "kN*m^2". 0 if it is something
- * else. Nothing is allocated. */
+/* Reads names with powers, their products and quotients from left to right: "N s/m", "kg.m-1", "kN*m^2". Returns 0 for
+ * anything else. Allocates nothing. */
 static int unit_parse(const char *text, Unit *out)
 {
     *out = (Unit){.scale = 1};
     for (int sign = 1;;) {
         Unit unit;
         int power;
-        size_t length = 0; /* of the name: a degree sign, or letters, which may begin with a micro sign */
+        size_t length = 0; /* length of the name: a degree sign, or letters, which may begin with a micro sign */
         const int degree = !strncmp(text, "\xc2\xb0", 2);
         if (degree || !strncmp(text, "\xc2\xb5", 2)) length = 2;
         while (!degree && isalpha((unsigned char)text[length])) length++;
@@ -226,8 +226,7 @@ Units *units_free(Units *units)
     return NULL;
 }
 
-/* How many characters of text are a decimal number: sign, digits with at most one point, exponent; 0 if none.
- */
+/* Counts the characters of a decimal number: sign, digits with at most one point, exponent; 0 if none. */
 static size_t number_length(const char *text)
 {
     const char *p = text + (*text == '+' || *text == '-');
@@ -244,7 +243,7 @@ static size_t number_length(const char *text)
     return (size_t)(p - text);
 }
 
-/* Whether a number, of so many characters, is written with a digit that is not 0 ahead of its exponent. */
+/* Checks whether a number, of so many characters, has a digit other than 0 before its exponent. */
 static int number_is_something(const char *text, size_t length)
 {
     for (size_t i = 0; i < length && text[i] != 'e' && text[i] != 'E'; i++) {
@@ -253,7 +252,7 @@ static int number_is_something(const char *text, size_t length)
     return 0;
 }
 
-/* The number at the start of text; *unit gets what follows it, without blanks. */
+/* Reads the number at the start of text; *unit gets the rest, without blanks. */
 static int number_read(const Units *units, const char *text, double *value, const char **unit, char *why)
 {
     text += strspn(text, " ");
@@ -266,19 +265,19 @@ static int number_read(const Units *units, const char *text, double *value, cons
     }
     *value = strtod_l(text, NULL, units->numbers);
     if (!isfinite(*value)) return snprintf(why, UNITS_WHY_MAX, "is too large a number"), 0;
-    if (*value == 0 && number_is_something(text, length)) /* it would be taken for 0 */
+    if (*value == 0 && number_is_something(text, length)) /* it underflows to 0 */
         return snprintf(why, UNITS_WHY_MAX, "is too small a number: write 0 if none is meant"), 0;
     *unit = text + length + strspn(text + length, " ");
     return 1;
 }
 
-/* The factor from `unit` to `si`; 0 if they are not of the same kind. */
+/* Returns the factor from `unit` to `si`; 0 if they are of different kinds. */
 static double unit_factor(const Unit *unit, const Unit *si)
 {
     return memcmp(unit->power, si->power, sizeof unit->power) ? 0 : unit->scale / si->scale;
 }
 
-/* Where text says a pound of mass and a force is asked for, the text with "lbf" in its place; 0 if it does not. */
+/* Replaces a pound of mass by "lbf" in a text where a force is required; 0 if there is none. */
 static int pound_as_force(const char *text, char *asked, size_t size)
 {
     const char *const lb = strstr(text, "lb");
@@ -287,7 +286,7 @@ static int pound_as_force(const char *text, char *asked, size_t size)
     return 1;
 }
 
-/* Why a unit of another kind was refused; a pound of mass in place of one of force is asked about. */
+/* Explains why a unit of another kind was rejected; for a pound of mass in place of a force it suggests "lbf". */
 static void unit_explain(const Units *units, const char *text, Dimension dimension, char *why)
 {
     char asked[64];
@@ -299,8 +298,8 @@ static void unit_explain(const Units *units, const char *text, Dimension dimensi
              meant ? "' for pounds of force" : "");
 }
 
-/* The factor from the unit called text to SI; 0 with `why`. A mass per length may be given by its weight, which is
- * that mass under standard gravity. */
+/* Returns the factor from the unit called text to SI; 0 with `why`. A mass per length may be given by its weight, which
+ * is that mass under standard gravity. */
 static double unit_read(const Units *units, const char *text, Dimension dimension, char *why)
 {
     Unit unit;
@@ -328,8 +327,8 @@ double awg_area(int number)
     return 3.14159265358979323846 / 4 * across * across;
 }
 
-/* "4/0 AWG", "0000 AWG", "12 AWG", "AWG 12", "#12 AWG", and nothing else: 1 and the number, 0 for 1/0, -1 for 2/0 and
- * so on. */
+/* Reads "4/0 AWG", "0000 AWG", "12 AWG", "AWG 12", "#12 AWG", and nothing else: returns 1 and the number, 0 for 1/0, -1
+ * for 2/0 and so on. */
 static int awg_read(const char *text, int *number)
 {
     char *end;
@@ -349,7 +348,8 @@ static int awg_read(const char *text, int *number)
     return aught ? n >= 1 && n <= 4 : row ? zeros <= 4 : n <= 40;
 }
 
-/* "-5 %", "30 per mille" as a sign, "1:20": dz/ds in plan, of which a slope is the angle. 0: none of these. */
+/* Reads "-5 %", "30 per mille" as a sign, "1:20": dz/ds in plan, the tangent of the slope's angle. Returns 0 for
+ * anything else. */
 static int ratio_read(const Units *units, const char *unit, double *value)
 {
     char *end = NULL;
@@ -373,7 +373,7 @@ int units_half(const Units *units, const char *text, char *out, size_t size)
     return snprintf(out, size, "%s%s%s", half, *unit ? " " : "", unit) < (int)size;
 }
 
-/* A unit of scale 0 does not exist, so a factor of 0 can mean an error. */
+/* No unit has the scale 0, so a factor of 0 can mean an error. */
 int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why)
 {
     assert(dimension != DIM_STIFFNESS);
@@ -400,7 +400,7 @@ int units_read(const Units *units, const char *text, Dimension dimension, double
     return 1;
 }
 
-/* Cuts "N/mm^1.5" into "N", "mm" and 1.5 (1 if there is none) in `copy`; 0 if it has another shape. */
+/* Splits "N/mm^1.5" into "N", "mm" and 1.5 (1 if there is none) in `copy`; returns 0 for another form. */
 static int stiffness_cut(const Units *units, char *copy, char **length, double *power)
 {
     char *slash = strchr(copy, '/');
@@ -417,7 +417,7 @@ static int stiffness_cut(const Units *units, char *copy, char **length, double *
     return 1;
 }
 
-/* Units have whole powers only, so that force and length are converted apart: N/mm^e is N (1000/m)^e. */
+/* Converts force and length separately, since units have whole powers only: N/mm^e is N (1000/m)^e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why)
 {
     const char *unit;

@@ -1,7 +1,7 @@
 /* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min", "4/0 AWG". A bare number is SI; an angle
- * other than 0 is never bare, for it would be taken for degrees by whoever writes it and for radians by the program.
- * docs/case-format.md lists the units. Their algebra is a page long and allocates nothing; libudunits2 ends the program
- * or crashes where there is no memory, and keeps its state in globals. */
+ * other than 0 is never bare, because its writer would mean degrees and the program radians. docs/case-format.md lists
+ * the units. The algebra is a page long and allocates nothing; libudunits2 ends the program or crashes where there is
+ * no memory, and keeps its state in globals. */
 #ifndef HAWSER_IO_CASE_UNITS_H
 #define HAWSER_IO_CASE_UNITS_H
 
@@ -42,32 +42,33 @@ typedef enum Dimension {
 
 enum { UNITS_WHY_MAX = 200 };
 
-/* The units that cases may use, and how to read numbers. Not shared between threads. */
+/* The units of cases, and the state for reading numbers. Not shared between threads. */
 typedef struct Units Units;
 
-/* NULL if there is no memory. */
+/* Returns NULL if there is no memory. */
 Units *units_new(void);
 Units *units_free(Units *units);
 
-/* Reads text as a number of the given dimension: 1 and *value in SI, or 0 and `why` (UNITS_WHY_MAX bytes),
- * which goes on after the value: "is not a number: ...". NaN, infinities, hexadecimals and anything behind
- * number and unit are not accepted, whatever the locale. */
+/* Reads text as a number of the given dimension: 1 and *value in SI, or 0 and `why` (UNITS_WHY_MAX bytes), which
+ * continues a message after the value: "is not a number: ...". NaN, infinities, hexadecimals and anything behind number
+ * and unit are rejected, in any locale. */
 int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why);
 /* Reads a stiffness per power of a length, "3.4e8 N/m^1.5" or a bare number of N/m^e; the power must be e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why);
 
-/* Half of a number, with its unit: "50 mm" of "100 mm". 0: the text is no number, or `out` is too small. */
+/* Writes half of a number, with its unit: "50 mm" of "100 mm". 0: the text is no number, or `out` is too small. */
 int units_half(const Units *units, const char *text, char *out, size_t size);
 
-/* Area of a round wire of an American gauge, m2: its number, 0 for 1/0, -1 for 2/0, -3 for 4/0 (ASTM B258). */
+/* Returns the area of a round wire of an American gauge, m2, by its number: 0 for 1/0, -1 for 2/0, -3 for 4/0 (ASTM
+ * B258). */
 double awg_area(int number);
 
-/* "a length", its SI unit "m" (which a bare number has), and an example "500 mm". */
+/* Return "a length", its SI unit "m" (which a bare number has), and an example "500 mm". */
 const char *dimension_name(Dimension dimension);
 const char *dimension_unit(Dimension dimension);
 const char *dimension_example(Dimension dimension);
 
-/* The names of the units, 0 <= i < units_count(), and of the prefixes that may stand before any of them, NULL
+/* Return the names of the units, 0 <= i < units_count(), and of the prefixes that may stand before any of them, NULL
  * behind the last. */
 int units_count(void);
 const char *units_name(int i);

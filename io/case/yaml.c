@@ -18,7 +18,7 @@
 
 #include "core/error.h"
 
-/* A file's name may be of any length: it is cut so that the line still shows. */
+/* Cuts a file's name, which may be of any length, so that the line is still shown. */
 const char *case_place(const char *origin, int line, char *place)
 {
     if (line > 0) {
@@ -29,7 +29,7 @@ const char *case_place(const char *origin, int line, char *place)
     return place;
 }
 
-/* Control characters become blanks, so that a message stays one line whatever the user wrote. */
+/* Replaces control characters by blanks, so that a message stays one line whatever the user wrote. */
 const char *case_shown(const char *text, char *shown)
 {
     const size_t room = CASE_SHOWN_MAX - 8;
@@ -37,7 +37,7 @@ const char *case_shown(const char *text, char *shown)
     shown[n++] = '\'';
     for (; *text && n < room; text++) shown[n++] = (unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text;
     if (*text) {
-        /* Not in the middle of a character of several bytes. */
+        /* not in the middle of a character of several bytes */
         while (n > 1 && ((unsigned char)shown[n - 1] & 0x80)) n--;
         n += (size_t)snprintf(shown + n, 4, "...");
     }
@@ -46,7 +46,7 @@ const char *case_shown(const char *text, char *shown)
     return shown;
 }
 
-/* From the root down: the parents' path first, then the node's own key or number, then the child's. */
+/* Writes from the root down: the parents' path first, then the node's own key or number, then the child's. */
 const char *case_path(const CaseNode *node, const char *key, char *path)
 {
     char before[CASE_PATH_MAX] = "", own[CASE_SHOWN_MAX] = "";
@@ -72,8 +72,8 @@ hawser_status case_text_error(hawser_error *err, const char *origin, int line, c
     return HAWSER_ERR_INPUT;
 }
 
-/* "PLACE: key 'PATH': ABOUT VALUE WHAT": what all messages about a key have in common. The line is the node's, also
- * where the child is missing. */
+/* Writes "PLACE: key 'PATH': ABOUT VALUE WHAT", the common part of all messages about a key. The line is the node's,
+ * also where the child is missing. */
 static hawser_status key_error(hawser_error *err, const CaseNode *node, const char *key, const char *about,
                                const char *value, const char *what, va_list args)
 {
@@ -85,7 +85,7 @@ static hawser_status key_error(hawser_error *err, const CaseNode *node, const ch
     return HAWSER_ERR_INPUT;
 }
 
-/* A map or list is not shown, only named: it may be long. */
+/* Names a map or list instead of showing it: it may be long. */
 hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
 {
     char shown[CASE_SHOWN_MAX];
@@ -116,7 +116,7 @@ hawser_status case_key_cause(hawser_error *err, const CaseNode *node, const char
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-/* Optimal string alignment; words of up to 63 letters. */
+/* Computes the optimal string alignment distance; words of up to 63 letters. */
 int case_distance(const char *a, const char *b)
 {
     enum { LETTERS = 63 };
@@ -137,7 +137,7 @@ int case_distance(const char *a, const char *b)
     return d[n][m];
 }
 
-/* Up to a third of the letters may be wrong; a word that differs in capitals alone is always near. */
+/* Accepts up to a third of wrong letters; a word that differs in capitals alone is always near. */
 const char *case_nearest(const char *word, const char *const *name, int n)
 {
     const char *best = NULL;
@@ -154,15 +154,15 @@ const char *case_nearest(const char *word, const char *const *name, int n)
 
 enum { KEY_MAX = 200, STEPS_MAX = 16 };
 
-/* A place that text came from: kept for as long as a tree whose nodes point at the name. Copies of a tree share the
- * list that was there when they were made, each with its own first element. */
+/* A source of text: kept as long as a tree whose nodes point at the name. Copies of a tree share the list that existed
+ * when they were made, each with its own first element. */
 typedef struct CaseOrigin {
     char *name;
     struct CaseOrigin *next;
     atomic_int users; /* trees and elements that point here */
 } CaseOrigin;
 
-/* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
+/* Stores a name in the tree and returns the tree's copy; NULL if there is no memory. */
 static const char *tree_origin(CaseTree *tree, const char *name)
 {
     for (const CaseOrigin *o = tree->origins; o; o = o->next) {
@@ -197,7 +197,7 @@ CaseTree *case_tree_free(CaseTree *tree)
     return NULL;
 }
 
-/* The folder of a path, malloc'ed; NULL if there is no memory. */
+/* Returns the folder of a path, malloc'ed; NULL if there is no memory. */
 static char *folder_of(const char *path)
 {
     const char *const slash = strrchr(path, '/');
@@ -205,7 +205,7 @@ static char *folder_of(const char *path)
     return strndup(path, slash == path ? 1 : (size_t)(slash - path));
 }
 
-/* A tree from `size` bytes of text, which editors may begin with a byte order mark. */
+/* Parses a tree from `size` bytes of text, which editors may begin with a byte order mark. */
 static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out, hawser_error *err)
 {
     static const char mark[] = "\xef\xbb\xbf";
@@ -224,7 +224,7 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
     return status;
 }
 
-/* The text's length is up to its NUL. */
+/* The text ends at its NUL. */
 hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err)
 {
     return tree_new(text, strlen(text), name, out, err);
@@ -260,17 +260,17 @@ CaseTree *case_tree_copy(const CaseTree *tree)
     return copy->root && (copy->folder || !tree->folder) && (copy->path || !tree->path) ? copy : case_tree_free(copy);
 }
 
-/* A key on its way into a tree: where it comes from, and its parts. */
+/* A key on its way into a tree: its origin and its parts. */
 typedef struct Setting {
     const CaseTree *tree;
-    const char *origin; /* "--set KEY"; where a value is only read, the key */
+    const char *origin; /* "--set KEY"; for reading alone, the key */
     char key[KEY_MAX];  /* with NULs for dots */
     const char *step[STEPS_MAX];
     int n;
     hawser_error *err;
 } Setting;
 
-/* The parts stay where they are, with the dots turned into ends. */
+/* Splits the key in place: dots become NULs. */
 static hawser_status key_cut(Setting *s, const char *key)
 {
     snprintf(s->key, sizeof s->key, "%s", key);
@@ -284,7 +284,7 @@ static hawser_status key_cut(Setting *s, const char *key)
     return HAWSER_OK;
 }
 
-/* The items of a list that have this `name`: how many there are, and the last of them. */
+/* Counts the items of a list with this `name`, and returns the last of them. */
 static int items_named(const CaseNode *list, const char *name, CaseNode **out)
 {
     int n = 0;
@@ -297,7 +297,7 @@ static int items_named(const CaseNode *list, const char *name, CaseNode **out)
     return n;
 }
 
-/* A name that is the number of another item: either could be meant. */
+/* Rejects a name that is the number of another item: either could be meant. */
 static hawser_status item_ambiguous(const Setting *s, const CaseNode *list, long index, const CaseNode *named)
 {
     int place = 0;
@@ -311,7 +311,7 @@ static hawser_status item_ambiguous(const Setting *s, const CaseNode *list, long
                      place);
 }
 
-/* The item of a list that `step` numbers or names. */
+/* Finds the item of a list by number or name. */
 static hawser_status item_find(const Setting *s, const CaseNode *list, const char *step, CaseNode **out)
 {
     char *end, shown[CASE_SHOWN_MAX];
@@ -334,8 +334,7 @@ static hawser_status item_find(const Setting *s, const CaseNode *list, const cha
                      case_shown(step, shown), list->count);
 }
 
-/* Goes down the key as far as the tree has it: *node is the last that exists, *depth how many steps lead
- * there. */
+/* Follows the key as far as the tree has it: *node is the last existing node, *depth the number of steps to it. */
 static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
 {
     *node = s->tree->root;
@@ -356,7 +355,7 @@ static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
     return HAWSER_OK;
 }
 
-/* `value` inside maps for the steps from `depth` on; frees it without memory. */
+/* Wraps `value` in maps for the steps from `depth` on; frees it without memory. */
 static CaseNode *branch_new(const Setting *s, int depth, CaseNode *value)
 {
     for (int k = s->n - 1; value && k >= depth; k--) {
@@ -373,7 +372,7 @@ static CaseNode *branch_new(const Setting *s, int depth, CaseNode *value)
     return value;
 }
 
-/* Replaces what is there, or adds what is missing on the way. The value is placed or freed. */
+/* Replaces the existing value, or adds the missing nodes. The value is placed or freed. */
 static hawser_status value_place(const Setting *s, CaseNode *value)
 {
     CaseNode *node;
@@ -412,7 +411,7 @@ hawser_status case_tree_find(const CaseTree *tree, const char *key, const CaseNo
     return status;
 }
 
-/* The value is read before the tree is touched, so that a mistake leaves the tree as it was. */
+/* Reads the value before the tree is changed, so that an error leaves the tree as it was. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err)
 {
     char origin[KEY_MAX + 16];
@@ -422,13 +421,13 @@ hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, 
     if (!s.origin) return error_memory(err);
     hawser_status status = key_cut(&s, key);
     CaseNode *node = NULL;
-    /* An empty value is an empty text, which the reader will refuse where a value is wanted. */
+    /* an empty value is an empty text, which the reader rejects where a value is required */
     if (!status) status = yaml_read(*value ? value : "''", strlen(*value ? value : "''"), s.origin, 0, &node, err);
     if (!status) status = value_place(&s, node);
     return status;
 }
 
-/* Adds a text to a map, unless it is NULL; *fine turns 0 without memory. */
+/* Adds a text to a map, unless it is NULL; *fine becomes 0 without memory. */
 static void text_add(CaseNode *map, const char *key, const char *text, int *fine)
 {
     CaseNode *const node = text ? node_new(NODE_TEXT, "", 0) : NULL;
@@ -441,7 +440,7 @@ static void text_add(CaseNode *map, const char *key, const char *text, int *fine
     *fine &= node && node->key && node->text;
 }
 
-/* Absolute where that is there: the text may be read elsewhere. */
+/* Adds the absolute path if it exists: the text may be read elsewhere. */
 static void path_add(CaseNode *map, const char *key, const char *path, int *fine)
 {
     char *const whole = path ? realpath(path, NULL) : NULL;
@@ -469,7 +468,7 @@ hawser_status case_tree_pack(const CaseTree *tree, const char *name, char **text
     return status;
 }
 
-/* Has all nodes be without lines and come from one place (NULL: from where they did). */
+/* Removes the lines of all nodes and sets their origin (NULL: leaves it). */
 static void nodes_place(CaseNode *node, const char *origin)
 {
     if (origin) node->origin = origin;
@@ -479,7 +478,7 @@ static void nodes_place(CaseNode *node, const char *origin)
 
 void case_tree_unline(CaseTree *tree) { nodes_place(tree->root, NULL); }
 
-/* A copy of a text of the map, NULL where there is none; *fine turns 0 without memory. */
+/* Returns a copy of a text of the map, NULL where there is none; *fine becomes 0 without memory. */
 static char *text_take(const CaseNode *map, const char *key, int *fine)
 {
     const CaseNode *const node = case_node_key(map, key);
@@ -522,12 +521,12 @@ hawser_status case_tree_unpack(const char *text, CaseTree **out, char **name, ha
     return HAWSER_OK;
 }
 
-/* The text of a case, wherever it comes from: whatever a path leads to, this ends soon and within bounds. */
+/* Reads the text of a case from any kind of path, within bounded time and size. */
 
-/* Bytes; ms that a pipe may keep silent. */
+/* Bytes; ms that a pipe may be silent. */
 enum { FILE_MAX = 32 << 20, SILENCE_MAX = 5000 };
 
-/* Opened so that a FIFO nobody writes into does not hold us up. A file, or a pipe as in a shell's <(...); a device has
+/* Opens a path without waiting for the writer of a FIFO. Accepts a file, or a pipe as in a shell's <(...); a device has
  * no end. Returns 0, or what is wrong with it. */
 static const char *text_open(const char *path, int *fd)
 {
@@ -539,7 +538,7 @@ static const char *text_open(const char *path, int *fd)
     return S_ISREG(state.st_mode) && state.st_size > FILE_MAX ? strerror(EFBIG) : NULL;
 }
 
-/* As read(2), but waits for a pipe's writer; a writer that keeps silent is ETIMEDOUT. */
+/* Works as read(2), but waits for a pipe's writer; a writer that stays silent is ETIMEDOUT. */
 static ssize_t text_read(int fd, char *to, size_t room)
 {
     struct pollfd ready = {.fd = fd, .events = POLLIN};
@@ -551,8 +550,7 @@ static ssize_t text_read(int fd, char *to, size_t room)
     }
 }
 
-/* All that is to be read, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can be.
- */
+/* Reads everything, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can be. */
 static char *bytes_take(int fd, size_t *size)
 {
     size_t room = 1 << 16;
@@ -599,7 +597,7 @@ hawser_status case_file_read(const char *path, char **text, size_t *size, hawser
                      reason == ETIMEDOUT ? "nobody has written into it for 5 s" : strerror(reason));
 }
 
-/* A tree as a document again, JSON with nothing but texts, which is YAML, too: the same values under the same keys,
+/* Writes a tree as a document, JSON with nothing but texts, which is YAML, too: the same values under the same keys,
  * without the places where they were written. */
 
 static void text_put(FILE *out, const char *text)
@@ -673,7 +671,7 @@ CaseNode *node_free(CaseNode *node)
     return NULL;
 }
 
-/* One node's own part of a copy. */
+/* Copies a single node without its children. */
 static CaseNode *node_copy(const CaseNode *node, const struct LibraryEntry *entry)
 {
     CaseNode *const copy = node_new(node->kind, node->origin, node->line);
@@ -701,7 +699,7 @@ CaseNode *node_clone(const CaseNode *node, const struct LibraryEntry *entry)
     return copy;
 }
 
-/* In constant time, by the pointer to the last child. */
+/* Takes constant time, by the pointer to the last child. */
 void node_append(CaseNode *parent, CaseNode *child)
 {
     assert(parent->kind != NODE_TEXT && !child->parent && !child->next);
@@ -715,7 +713,7 @@ void node_append(CaseNode *parent, CaseNode *child)
     parent->last = child;
 }
 
-/* Key and number pass to the new node, so that the old one's place in the tree is unchanged. */
+/* Passes key and number on to the new node, which takes the old one's place in the tree. */
 void node_replace(CaseNode *old, CaseNode *by)
 {
     CaseNode *parent = old->parent;
@@ -731,7 +729,7 @@ void node_replace(CaseNode *old, CaseNode *by)
     node_free(old);
 }
 
-/* Maps have 500 keys at most. */
+/* Searches linearly: maps have 500 keys at most. */
 const CaseNode *case_node_key(const CaseNode *node, const char *key)
 {
     if (!node || node->kind != NODE_MAP) return NULL;
@@ -752,7 +750,7 @@ void case_node_path(const CaseNode *node, char *path, size_t size)
         snprintf(path + n, size - n, "%s%d", n ? "." : "", node->index);
 }
 
-/* From the first on; readers that need all items walk along `next` instead. */
+/* Starts at the first; readers of all items follow `next` instead. */
 const CaseNode *case_node_item(const CaseNode *node, int index)
 {
     if (!node || node->kind != NODE_LIST) return NULL;
@@ -761,17 +759,17 @@ const CaseNode *case_node_item(const CaseNode *node, int index)
     return child;
 }
 
-/* Far more than any case needs; what lies beyond is an accident or an attack. Aliases are expanded, so that
- * the number of nodes may be large however small the file is. */
+/* Far more than any case needs; a larger document is an accident or an attack. Aliases are expanded, so that a small
+ * file can have many nodes. */
 enum { NODES_MAX = 500000, KEYS_MAX = 500, DEPTH_MAX = 24, ANCHORS_MAX = 1000, TAGS_MAX = 16 };
 
 static const char TOO_DEEP[] = "nested too deeply, or an alias inside itself";
 
-/* One document on its way into nodes. */
+/* One document while it is converted into nodes. */
 typedef struct Reading {
     yaml_document_t document;
     const char *origin;
-    int lines; /* 0: line numbers mean nothing */
+    int lines; /* 0: line numbers have no meaning */
     int nodes;
     hawser_error *err;
 } Reading;
@@ -781,7 +779,7 @@ static int line_of(const Reading *r, yaml_mark_t mark) { return r->lines ? (int)
 
 static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out);
 
-/* Characters that would command a terminal when a name or title is printed; the ends of lines and tabs do not. */
+/* Detects characters that would control a terminal when a name or title is printed; line ends and tabs do not. */
 static int has_control(const char *text)
 {
     for (const char *c = text; *c; c++) {
@@ -790,7 +788,7 @@ static int has_control(const char *text)
     return 0;
 }
 
-/* The text of a map's key, malloc'ed into *key. */
+/* Converts the text of a map's key, malloc'ed into *key. */
 static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char **key, int *line)
 {
     const yaml_node_t *node = yaml_document_get_node(&r->document, id);
@@ -809,7 +807,7 @@ static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char *
     return *key ? HAWSER_OK : error_memory(r->err);
 }
 
-/* The key's line counts for its value too: that is where people look. */
+/* Gives a value the line of its key, where people look for it. */
 static hawser_status map_convert(Reading *r, const yaml_node_t *from, int depth, CaseNode *map)
 {
     const yaml_node_pair_t *pair = from->data.mapping.pairs.start;
@@ -830,7 +828,7 @@ static hawser_status map_convert(Reading *r, const yaml_node_t *from, int depth,
     return HAWSER_OK;
 }
 
-/* Items have the line at which they begin. */
+/* Gives items the line at which they begin. */
 static hawser_status list_convert(Reading *r, const yaml_node_t *from, int depth, CaseNode *list)
 {
     const yaml_node_item_t *item = from->data.sequence.items.start;
@@ -843,7 +841,7 @@ static hawser_status list_convert(Reading *r, const yaml_node_t *from, int depth
     return HAWSER_OK;
 }
 
-/* A text ends at its length, so that a NUL inside, which YAML's "\0" allows, must not pass for its end. */
+/* Rejects a NUL inside a text, which YAML's "\0" allows: it would be taken for the end. */
 static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode *text)
 {
     const char *value = (const char *)from->data.scalar.value;
@@ -856,7 +854,7 @@ static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode 
     return text->text ? HAWSER_OK : error_memory(r->err);
 }
 
-/* Node `id` of the document with all below it. Aliases repeat what they stand for; the limits stop circles
+/* Converts node `id` of the document with all below it. Aliases repeat their anchor's value; the limits stop circles
  * and explosions. */
 static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out)
 {
@@ -878,7 +876,7 @@ static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out)
     return status;
 }
 
-/* The line, from 1, that holds byte `offset` of the text. */
+/* Returns the line, from 1, that holds byte `offset` of the text. */
 static int line_at(const char *text, size_t offset)
 {
     int line = 1;
@@ -886,7 +884,7 @@ static int line_at(const char *text, size_t offset)
     return line;
 }
 
-/* libyaml's own message speaks of tokens here. */
+/* Detects a tab as indentation, for which libyaml's own message speaks of tokens. */
 static int indented_with_tab(const char *text, int line)
 {
     for (; text && line > 1; line--) {
@@ -896,10 +894,10 @@ static int indented_with_tab(const char *text, int line)
     return text && text[strspn(text, " ")] == '\t';
 }
 
-/* What libyaml has against the text. */
+/* Reports libyaml's error in the text. */
 static hawser_status parser_complain(const Reading *r, const yaml_parser_t *parser, const char *text)
 {
-    /* libyaml does not always say that it has no memory: then there is no error at all */
+    /* libyaml does not always report a lack of memory: then there is no error at all */
     if (parser->error == YAML_MEMORY_ERROR || parser->error == YAML_NO_ERROR) return error_memory(r->err);
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
@@ -914,7 +912,7 @@ static hawser_status parser_complain(const Reading *r, const yaml_parser_t *pars
     return HAWSER_ERR_INPUT;
 }
 
-/* The document that must follow now: none. */
+/* Checks that no further document follows. */
 static hawser_status end_expect(Reading *r, yaml_parser_t *parser, const char *text)
 {
     yaml_document_t second;
@@ -927,7 +925,7 @@ static hawser_status end_expect(Reading *r, yaml_parser_t *parser, const char *t
     return status;
 }
 
-/* The encoding is fixed, so that junk cannot pass for UTF-16. 0 without memory. */
+/* Fixes the encoding, so that junk is not taken for UTF-16. 0 without memory. */
 static int parser_start(yaml_parser_t *parser, const char *text, size_t size)
 {
     if (!yaml_parser_initialize(parser)) return 0;
@@ -944,7 +942,7 @@ static int event_has_anchor(const yaml_event_t *event)
     return event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor != NULL;
 }
 
-/* %TAG lines; libyaml compares each with all before it. */
+/* Counts %TAG lines; libyaml compares each with all before it. */
 static int tags_count(const char *text)
 {
     int n = 0;
@@ -954,8 +952,8 @@ static int tags_count(const char *text)
     return n;
 }
 
-/* Refuses what libyaml would load in a time that grows with the square of its size: deep nesting, many anchors, many
- * tags. Other mistakes are left to the loading. */
+/* Rejects documents for which libyaml takes a time that grows with the square of their size: deep nesting, many
+ * anchors, many tags. Other errors are found when loading. */
 static hawser_status size_check(const Reading *r, const char *text, size_t size)
 {
     yaml_parser_t parser;
@@ -979,7 +977,7 @@ static hawser_status size_check(const Reading *r, const char *text, size_t size)
     return status;
 }
 
-/* The root is libyaml's node 1. */
+/* libyaml's node 1 is the root. */
 hawser_status yaml_read(const char *text, size_t size, const char *origin, int lines, CaseNode **out, hawser_error *err)
 {
     Reading r = {.origin = origin, .lines = lines, .err = err};

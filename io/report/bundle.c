@@ -1,6 +1,5 @@
-/* Files of web/dist as read-only data: the assembler takes them in, so that neither gcc nor clang has to compile half a
- * million numbers. io/CMakeLists.txt says where they are and what the script's sum is, and builds again when they
- * change. */
+/* Files of web/dist as read-only data, included by the assembler, so that neither gcc nor clang has to compile half a
+ * million numbers. io/CMakeLists.txt gives their places and the script's hash, and builds again when they change. */
 #include "io/report/report.h"
 
 #define EMBED(name, file)                                                                                              \

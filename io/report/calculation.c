@@ -10,7 +10,7 @@
 #include "io/results/words.h"
 #include "theory/closed_form.h"
 
-/* Figures are as wide as the page but for the margins; more bends than BENDS_NAMED have no words beside them. */
+/* Figures fill the page except the margins; more bends than BENDS_NAMED are drawn without labels. */
 enum { WIDTH = 960, LEFT = 92, RIGHT = 24, TOP = 66, BELOW = 52, PLAN_MOST = 420, PROFILE = 150, FIGURE = 240 };
 enum { POINTS = 800, BENDS_NAMED = 24, DUCTS_DRAWN = 4, DUCT_SIZE = 220 };
 
@@ -31,7 +31,7 @@ static const char style[] =
     "flex-wrap:wrap}@media print{body{max-width:none;margin:0;font-size:11px}table{font-size:9.5px}th,td{padding:1px "
     "4px}.wide{overflow:visible}pre{font-size:9.5px}details{display:none}}@page{size:A4;margin:16mm 14mm 18mm;";
 
-/* A text of a style sheet, in its quotes: what could end it goes. */
+/* Adds a text of a style sheet in quotes, without characters that could end it. */
 static void css_add(Text *out, const char *words)
 {
     text_add(out, "\"");
@@ -40,7 +40,7 @@ static void css_add(Text *out, const char *words)
     text_add(out, "\"");
 }
 
-/* A text of the program's in the page's language, between two pieces of the page. */
+/* Adds a text of the program in the page's language, between two pieces of the page. */
 static void say(Text *out, Language language, const char *before, const char *english, const char *after)
 {
     char words[WORDS_MAX];
@@ -91,7 +91,7 @@ void calculation_head(const JobDef *job, Language language, const char *kind, co
     text_words(out, "<dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
 }
 
-/* The verdict's word, and below it the lines of the answer: what they are about, and the sentence. */
+/* Writes the verdict's word, and below it the lines of the answer: their subject, and the sentence. */
 static void answer_write(const Calculation *page, Text *out)
 {
     char line[WORDS_MAX];
@@ -111,7 +111,7 @@ static void answer_write(const Calculation *page, Text *out)
 
 /* ---------------------------------------------------------------------------------------------- along the route */
 
-/* What is drawn over the route. */
+/* Data of the figures along the route. */
 typedef struct Along {
     Language language;
     int n;
@@ -158,7 +158,7 @@ static void label_of(Language language, const char *what, const Scale *scale, ch
     snprintf(text, 96, "%.60s, %s", words_in(language, what, words), scale->unit);
 }
 
-/* Bends by name, radius and angle. */
+/* Draws bends with name, radius and angle. */
 static void bends_draw(const Calculation *page, const Along *a, Svg *svg, const Axis *x, const Axis *y)
 {
     const Route *const route = page->c->route;
@@ -203,7 +203,7 @@ static void plan_draw(const Calculation *page, const Along *a, Text *out)
     svg_into(&svg, out);
 }
 
-/* Along the route: one figure of so many lines, with what is allowed. */
+/* Draws a figure along the route with several lines and the limit. */
 static void figure_draw(const Along *a, const char *title, const char *what, const Scale *scale, int n,
                         double *const line[], double allowed, int height, Text *out)
 {
@@ -258,7 +258,7 @@ static void figures_write(const Calculation *page, Text *out)
 
 /* -------------------------------------------------------------------------------------------------- cross-sections */
 
-/* Places of equal cables of radius r in a duct of radius R as they lie, x to the right and y up from its middle.
+/* Computes the places of equal cables of radius r in a duct of radius R, x to the right and y up from its middle.
  * Returns how many. */
 static int cables_place(DuctLayout layout, double R, double r, double place[4][2])
 {
@@ -332,12 +332,12 @@ static void ducts_write(const Calculation *page, Text *out)
     if (page->c->n_ducts > DUCTS_DRAWN) say(out, page->language, "<p>", more, "</p>\n");
 }
 
-/* ----------------------------------------------------------------------------------------------------- by hand */
+/* ----------------------------------------------------------------------------------------------------- worked out */
 
-/* How a piece is worked out: by the law of its kind, or by steps where it has none. */
+/* Method for a piece: the law of its kind, or steps where it has none. */
 typedef enum Hand { HAND_STRAIGHT, HAND_BEND, HAND_STEPS, HANDS } Hand;
 
-/* The one span of a piece pulled forward; NULL: friction, weight or a push changes on it. */
+/* Returns the only span of a piece pulled forward; NULL: friction, weight or a push changes on it. */
 static const PullSpan *span_whole(const Calculator *c, int p)
 {
     const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull;
@@ -348,7 +348,7 @@ static const PullSpan *span_whole(const Calculator *c, int p)
     return NULL;
 }
 
-/* Force per length on the support as the page has it: tension and weight toward the centre, weight across. */
+/* Returns the force per length on the support as on the page: tension and weight toward the centre, weight across. */
 static double hand_normal(const PullSpan *span, double s, double T)
 {
     const SpanFrame f = span_frame(&span->law.line, s);
@@ -362,7 +362,7 @@ typedef struct HandRow {
 } HandRow;
 enum { STEPS_MOST = 4, ROWS_STEP = 4 };
 
-/* (T5) by n steps of Runge and Kutta's fourth order; row [ROWS_STEP n]. Returns the tension at the end. */
+/* Computes (T5) by n steps of Runge and Kutta's fourth order; row [ROWS_STEP n]. Returns the tension at the end. */
 static double hand_steps(const PullSpan *span, int n, HandRow *row)
 {
     const double h = (span->s1 - span->s0) / n;
@@ -383,7 +383,7 @@ static double hand_steps(const PullSpan *span, int n, HandRow *row)
     return T;
 }
 
-/* Steps that come to what the integration has, to a thousandth; 0: so few do not. */
+/* Returns the number of steps that agrees with the integration to a thousandth; 0: the largest number does not. */
 static int hand_enough(const PullSpan *span)
 {
     HandRow row[ROWS_STEP * STEPS_MOST];
@@ -392,7 +392,7 @@ static int hand_enough(const PullSpan *span)
     return 0;
 }
 
-/* Whether a piece can be worked out so. */
+/* Checks whether a piece can be worked out by this method. */
 static int is_by(const Calculator *c, int p, Hand hand)
 {
     const PlanPiece *const piece = &c->plan.way[PLAN_FORWARD].piece[p];
@@ -407,7 +407,7 @@ static int is_by(const Calculator *c, int p, Hand hand)
            hand_enough(span);
 }
 
-/* That of them whose tension grows most; -1: there is none. */
+/* Returns the piece for this method whose tension grows most; -1: there is none. */
 static int piece_shown(const Calculator *c, Hand hand)
 {
     const PlanPiece *const piece = c->plan.way[PLAN_FORWARD].piece;
@@ -451,7 +451,7 @@ static void hand_level(const RoutePiece *on, double T, double w, double mu, int 
     }
 }
 
-/* (T16) part by part: in a sag the cable may lift off and come down again. */
+/* Writes (T16) part by part: in a sag the cable may lift off and come down again. */
 static void hand_upright(const RoutePiece *on, double T, double w, double mu, Language language, Text *out)
 {
     VerticalPart part[VERTICAL_PARTS];
@@ -484,7 +484,7 @@ static void hand_upright(const RoutePiece *on, double T, double w, double mu, La
     }
 }
 
-/* What has no closed form, by steps that a pocket calculator can follow. */
+/* Writes a piece without a closed form in steps that a pocket calculator can follow. */
 static void hand_by_steps(const PullSpan *span, Text *out)
 {
     HandRow row[ROWS_STEP * STEPS_MOST];
@@ -509,7 +509,7 @@ static void hand_by_steps(const PullSpan *span, Text *out)
     text_print(out, "</tbody></table></div>\n<p>T<sub>2</sub> = <b>%.1f N</b>", last);
 }
 
-/* In SI, so that a pocket calculator does. */
+/* Writes a piece in SI units, so that a pocket calculator is enough. */
 static void hand_piece(const Calculation *page, int p, Hand hand, Text *out)
 {
     const RoutePiece *const on = &page->c->route->piece[p];
@@ -528,14 +528,14 @@ static void hand_piece(const Calculation *page, int p, Hand hand, Text *out)
     if (hand == HAND_STEPS) hand_by_steps(span, out);
     snprintf(words, sizeof words, "the table of pieces has %.1f N", span->t1);
     say(out, page->language, "; ", words, "");
-    if (fabs(end * on->radius - 1) < 1e-6) { /* the radius of a piece is its least, and may lie elsewhere */
+    if (fabs(end * on->radius - 1) < 1e-6) { /* the radius of a piece is its smallest, which may be elsewhere */
         text_print(out, "<br>T/R = %.1f / %.3f = %.1f N/m", span->t1, on->radius, span->t1 / on->radius);
         if (page->c->cables > 1) say(out, page->language, " ", "of all cables together", "");
     }
     text_add(out, "</p>\n");
 }
 
-/* From the first piece to the winch. */
+/* Sums from the first piece to the winch. */
 static void hand_total(const Calculation *page, Text *out)
 {
     const PlanWay *const way = &page->c->plan.way[PLAN_FORWARD];

@@ -9,20 +9,20 @@
 
 typedef struct Calculation {
     const char *title, *file;
-    const char *code, *verdict; /* of the pull forward: "safe", and in words */
+    const char *code, *verdict; /* for the pull forward: "safe", and as text */
     const char *answer;         /* in the page's language: lines of a word, a tab and a sentence */
-    const char *tables, *more;  /* HTML: what is shown, and what stands behind "all values" */
+    const char *tables, *more;  /* HTML: shown tables, and tables under "all values" */
     const Setup *setup;
     const Calculator *c;
     hawser_units units;
     Language language;
 } Calculation;
 
-/* A page's head with its style, up to the first thing below title and job; `kind` says what it is: "Pulling
- * calculation", in a language. No memory is out->failed, here and below. */
+/* Writes a page's head with its style, up to the first part below title and job; `kind` is its kind: "Pulling
+ * calculation", in a language. A lack of memory is out->failed, here and below. */
 void calculation_head(const JobDef *job, Language language, const char *kind, const char *title, const char *file,
                       Text *out);
-/* What stands below the head of one calculation. */
+/* Writes the part of one calculation below the head. */
 void calculation_body(const Calculation *page, Text *out);
 void calculation_end(Text *out);
 

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "io/report/svg.h"
 
-/* Counts that keep the sheet on one side. */
+/* Numbers that keep the sheet on one side. */
 enum { MARKS = 14, MARKS_MAX = 32, POSTS_MAX = 24, OF_A_KIND = 3, LOADED = 6, FACTS_MAX = 12 };
 enum { WIDTH = 460, HEIGHT = 210, LEFT = 64, RIGHT = 16, TOP = 56, BELOW = 48, POINTS = 200 };
 
@@ -25,7 +25,7 @@ typedef struct CrewSheet {
     double length; /* m, of the route */
 } CrewSheet;
 
-/* m that the cable's front has come from where the pull begins, when it is at s. */
+/* Returns the distance, m, that the cable's front at s has come from the beginning of the pull. */
 static double come(const CrewSheet *sheet, double s) { return sheet->way == PLAN_FORWARD ? s : sheet->length - s; }
 
 static const char *shown(const CrewSheet *sheet, double value, const char *unit, char text[HAWSER_SHOWN_MAX])
@@ -51,7 +51,7 @@ static const Column mark_column[] = {
     {COLUMN("winch", TEXT, Mark, winch), .label = "winch at"},
 };
 
-/* A round step that cuts a length into about MARKS parts, 1, 2 or 5 times a power of ten. */
+/* Returns a round step that divides a length into about MARKS parts, 1, 2 or 5 times a power of ten. */
 static double step_of(double length)
 {
     const double step = length / MARKS, ten = pow(10, floor(log10(step)));
@@ -82,7 +82,7 @@ static hawser_status mark_make(const CrewSheet *sheet, double at, Mark *mark, ha
     return HAWSER_OK;
 }
 
-/* At round places and at the end; of each pit its own. Returns how many by *n. */
+/* Makes marks at round places and at the end, and one for each pit. *n: how many. */
 static hawser_status marks_make(const CrewSheet *sheet, Mark mark[MARKS_MAX], int *n, hawser_error *err)
 {
     const double factor = scale_of("m", 10, sheet->page->units).factor, step = step_of(sheet->length * factor) / factor;
@@ -134,9 +134,9 @@ static hawser_status figure_draw(const CrewSheet *sheet, Text *out, hawser_error
 
 /* ------------------------------------------------------------------------------------------------------- posts */
 
-/* Where somebody has to stand. */
+/* A place where somebody must stand. */
 typedef struct Post {
-    double come; /* m from where the pull begins */
+    double come; /* m from the beginning of the pull */
     char place[2 * NAME_MAX_LENGTH];
     char why[256];
 } Post;
@@ -171,7 +171,7 @@ static const SurfaceDef *duct_at(const Setup *setup, double s)
     return on && on->shape.kind == SURFACE_DUCT ? on : NULL;
 }
 
-/* Where the pull begins and where it ends. */
+/* Adds the beginning and the end of the pull. */
 static void posts_ends(Posts *p, double first, double last)
 {
     const Setup *const setup = p->sheet->page->setup;
@@ -190,7 +190,7 @@ static void posts_ends(Posts *p, double first, double last)
              c->trip[way].by);
 }
 
-/* Mouths of ducts on the way: where one begins in the sense of the pull and none ends. */
+/* Adds mouths of ducts on the way: a duct begins there, in the direction of the pull, and none ends. */
 static void posts_mouths(Posts *p)
 {
     const Supports *const map = &p->sheet->page->setup->supports;
@@ -207,7 +207,7 @@ static void posts_mouths(Posts *p)
     }
 }
 
-/* Conveyors, machines and pits; of many of one kind the first ones, then how many more. */
+/* Adds conveyors, machines and pits; for many of one kind the first ones, and the number of the others. */
 static void posts_machines(Posts *p, int n, const Placed *equipment)
 {
     static const char *const kinds[][2] = {{"conveyor", "runs with the winch, grips with up to"},
@@ -229,7 +229,7 @@ static void posts_machines(Posts *p, int n, const Placed *equipment)
     }
 }
 
-/* Open bends by the pressure on the cable, the worst first. */
+/* Adds open bends by the pressure on the cable, the worst first. */
 static void posts_bends(Posts *p)
 {
     const Calculator *const c = p->sheet->page->c;
@@ -289,7 +289,7 @@ static int compare_loads(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* row [n]: all rollers, those that bear most first. Returns how many there are. */
+/* Lists all rollers in row [n], the largest loads first. Returns how many there are. */
 static int loaded_list(const CrewSheet *sheet, int n, const Placed *equipment, Loaded *row)
 {
     int found = 0;
@@ -372,7 +372,7 @@ static void rope_say(const CrewSheet *sheet, Facts *f)
     fact_say(f, "rope", "at least %s beyond what stays on the winch%s", shown(sheet, longest, "m", length), with);
 }
 
-/* Limits that the case says too little for. */
+/* Lists limits for which the case lacks values. */
 static void open_say(const CrewSheet *sheet, Facts *f)
 {
     const Calculator *const c = sheet->page->c;

@@ -1,4 +1,4 @@
-/* The crew's sheet: one printed side with what those who pull have to know. docs/guide/plan-a-duct.md, "Hand it on". */
+/* The crew's sheet: one printed side with the data that the crew needs. docs/formats.md, "The crew's sheet". */
 #ifndef HAWSER_IO_REPORT_CREW_H
 #define HAWSER_IO_REPORT_CREW_H
 
@@ -7,19 +7,19 @@
 
 /* One piece of equipment along the route; NAN: not known, or it has none. */
 typedef struct Placed {
-    int number; /* from 1, by station */
+    int number; /* number from 1, by station */
     const char *kind;
     char name[NAME_MAX_LENGTH];
     double station; /* m along the route */
-    Vec3 at;        /* m, in the case's own coordinates: a roller's centre, else the line's place */
-    double tilt;    /* deg, of a roller's axis above the level */
-    double heading; /* deg from x toward y, of the pull across it */
+    Vec3 at;        /* m, in the case's own coordinates: a roller's centre, otherwise the place on the line */
+    double tilt;    /* deg, angle of a roller's axis above the level */
+    double heading; /* deg from x toward y, direction of the pull across it */
     double load;    /* N */
     double rating;  /* N */
-    double margin;  /* of the rating, %: below 0 too much */
+    double margin;  /* margin to the rating, %: below 0 the load is too large */
 } Placed;
 
-/* What stands below the head; equipment [n] by rising station, with the loads of that way. Errors: as plan_head,
+/* Writes the part below the head; equipment [n] by rising station, with the loads of that way. Errors: as plan_head,
  * MEMORY. */
 hawser_status crew_body(const Calculation *page, int way, int n, const Placed *equipment, Text *out, hawser_error *err);
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The page: frames are as wide as it is but for these margins. */
+/* The page: frames fill it except these margins. */
 enum { WIDTH = 960, LEFT = 76, RIGHT = 24, TOP = 66, FRAME = 320, BELOW = 52 };
 
 /* Columns of a table as numbers. */
@@ -27,7 +27,7 @@ static void curve_clear(Curve *c)
     *c = (Curve){0};
 }
 
-/* Two columns; n 0: they are not both there. Returns 0 without memory. */
+/* Makes a curve of two columns; n 0: one of them is missing. Returns 0 without memory. */
 static int curve_make(const Sheet *sheet, const char *x, const char *y, Scale sx, Scale sy, Curve *c)
 {
     const int kx = sheet_column(sheet, x), ky = sheet_column(sheet, y);
@@ -46,7 +46,7 @@ static int curve_make(const Sheet *sheet, const char *x, const char *y, Scale sx
     return 1;
 }
 
-/* Least and largest of the finite values of curves: y, or x. */
+/* Finds the least and largest finite value of curves: of y, or of x. */
 static void range_of(int n, const Curve *c, int of_x, double *from, double *to)
 {
     *from = INFINITY;
@@ -61,7 +61,7 @@ static void range_of(int n, const Curve *c, int of_x, double *from, double *to)
     }
 }
 
-/* Size of the largest number of a column; NAN: there is none. */
+/* Returns the size of the largest number of a column; NAN: there is none. */
 static double column_size(const Sheet *sheet, const char *name)
 {
     double size = NAN;
@@ -70,10 +70,10 @@ static double column_size(const Sheet *sheet, const char *name)
     return size;
 }
 
-/* Lengths are shown in m or ft, whatever their size: 300 ft rather than 0.06 mi. */
+/* Shows lengths in m or ft, whatever their size: 300 ft rather than 0.06 mi. */
 static Scale length_scale(hawser_units units) { return scale_of("m", 10, units); }
 
-/* The row of the summary's limits of that kind; NULL: none. */
+/* Returns the summary's limit of that kind; NULL: none. */
 static const json_t *limit_of(const Folder *folder, hawser_limit_kind kind)
 {
     const json_t *const limits = json_object_get(folder->summary, "limits");
@@ -84,7 +84,7 @@ static const json_t *limit_of(const Folder *folder, hawser_limit_kind kind)
     return NULL;
 }
 
-/* "tension, kN": what stands at an axis. */
+/* Label of an axis: "tension, kN". */
 typedef struct Label {
     char text[96];
 } Label;
@@ -109,7 +109,7 @@ typedef struct DrawnAt {
     int marks;
 } DrawnAt;
 
-/* Draws those that are there, and says what they are. */
+/* Draws the existing curves, and their legend. */
 static void curves_draw(Svg *svg, const Axis *x, const Axis *y, int n, const DrawnAt *d, const Curve *c)
 {
     for (int k = 0; k < n; ++k) {
@@ -120,7 +120,7 @@ static void curves_draw(Svg *svg, const Axis *x, const Axis *y, int n, const Dra
     }
 }
 
-/* Tension along the route: theory as lines, the run as marks at its stations. */
+/* Draws tension along the route: theory as lines, the run as marks at its stations. */
 static int draw_tension(const Folder *folder, hawser_units units, Text *out)
 {
     enum { N = 4 };
@@ -164,7 +164,7 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
     return room ? ok : -1;
 }
 
-/* The steady window and the events, which every figure over time has. */
+/* Marks the steady window and the events, in every figure over time. */
 static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis *y, int shade, const char *words)
 {
     const json_t *const events = json_object_get(folder->summary, "events");
@@ -178,7 +178,7 @@ static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis
     }
 }
 
-/* One frame of the figure over time, from `top` on. */
+/* Draws one frame of the figure over time, from `top` on. */
 static int series_frame(Svg *svg, const Folder *folder, int n, const DrawnAt *drawn, Scale scale, const char *what,
                         double top, double height)
 {
@@ -206,7 +206,7 @@ static int series_frame(Svg *svg, const Folder *folder, int n, const DrawnAt *dr
     return room ? some : -1;
 }
 
-/* Force at the winch over time, and speed below it. */
+/* Draws the force at the winch over time, and the speed below it. */
 static int draw_series(const Folder *folder, hawser_units units, Text *out)
 {
     const Sheet *const s = &folder->series;
@@ -231,7 +231,7 @@ static int draw_series(const Folder *folder, hawser_units units, Text *out)
     return some;
 }
 
-/* Loads of the rollers along the route: the mean of the steady window as a bar within that of the peak. */
+/* Draws loads of the rollers along the route: the mean of the steady window as a bar within that of the peak. */
 static int draw_rollers(const Folder *folder, hawser_units units, Text *out)
 {
     const Sheet *const s = &folder->rollers;
@@ -273,7 +273,7 @@ static int draw_rollers(const Folder *folder, hawser_units units, Text *out)
     return room ? some : -1;
 }
 
-/* Where things stand at s: between two rows of the route. */
+/* Interpolates a coordinate at s between two rows of the route. */
 static double along_at(const Curve *route, double s)
 {
     int i = 1;
@@ -282,7 +282,7 @@ static double along_at(const Curve *route, double s)
     return route->y[i - 1] + (h > 0 ? (s - route->x[i - 1]) / h : 0) * (route->y[i] - route->y[i - 1]);
 }
 
-/* Named places along the route as marks with their names: stations that are not just their metres. */
+/* Marks named places along the route with their names, except stations with default names. */
 static void places_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis *y, const Curve *height, Scale length)
 {
     const Sheet *const s = &folder->stations;
@@ -304,7 +304,7 @@ static void places_mark(Svg *svg, const Folder *folder, const Axis *x, const Axi
     }
 }
 
-/* Axes of the route from above, both to one scale. */
+/* Fits the axes of the plan, both to one scale. */
 static void plan_axes(const Curve *plan, Axis *x, Axis *y)
 {
     enum { MOST = 420 };
@@ -323,7 +323,7 @@ static void plan_draw(Svg *svg, const Axis *x, const Axis *y, const Curve *plan)
                axis_pixel(y, plan->y[0]) - 8);
 }
 
-/* The profile's axes below `top`: a level route is not shown as mountains. */
+/* Fits the profile's axes below `top`: a level route is not shown as mountains. */
 static void profile_axes(const Curve *profile, double top, Axis *x, Axis *y)
 {
     enum { HIGH = 200 };
@@ -336,7 +336,7 @@ static void profile_axes(const Curve *profile, double top, Axis *x, Axis *y)
     *y = (Axis){from - 0.1 * (to - from), to + 0.18 * (to - from), top + HIGH, -HIGH, y->label};
 }
 
-/* Plan, where the route turns aside at all, and the profile along it. */
+/* Draws the plan, if the route turns to the side at all, and the profile along it. */
 static void route_draw(const Folder *folder, Scale length, const Curve *plan, const Curve *profile, Text *out)
 {
     enum { BETWEEN = 90 };

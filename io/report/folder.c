@@ -16,7 +16,7 @@
 #include "core/file.h"
 #include "io/results/results_file.h"
 
-/* Of a file of text, bytes: far above what a run writes that one would want to look at on a page. */
+/* Largest size of a text file, bytes: far above that of a run for a page. */
 static const size_t file_most = (size_t)1 << 30;
 
 void folder_say(Folder *folder, const char *format, ...)
@@ -36,7 +36,7 @@ char *folder_path(const Folder *folder, const char *name)
     return path;
 }
 
-/* A whole file of text, malloc'ed. One that is not there is NULL with HAWSER_OK. Errors: INPUT, MEMORY. */
+/* Reads a whole file of text, malloc'ed. A missing file is NULL with HAWSER_OK. Errors: INPUT, MEMORY. */
 static hawser_status file_read(const Folder *folder, const char *name, const char *path, char **text, hawser_error *err)
 {
     size_t size;
@@ -47,8 +47,8 @@ static hawser_status file_read(const Folder *folder, const char *name, const cha
     return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': it is no text", path);
 }
 
-/* A table beside the summary. One that is none, or too large, is left out with a note; not one that the system does not
- * give: who asked would take it for one that is not there. */
+/* Reads a table beside the summary. A missing, wrong or too large one is left out with a note; a read error of the
+ * system is an error, since the table would otherwise be taken for missing. */
 static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
@@ -76,7 +76,7 @@ static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, 
     return status;
 }
 
-/* The one file that must be there. */
+/* Reads the only file that is required. */
 static hawser_status summary_read(Folder *folder, hawser_error *err)
 {
     json_error_t where;
@@ -97,7 +97,7 @@ static hawser_status summary_read(Folder *folder, hawser_error *err)
     return status;
 }
 
-/* The folder itself, which the user has named. */
+/* Opens the folder itself, which the user has named. */
 static hawser_status folder_enter(const char *dir, Folder *folder, hawser_error *err)
 {
     *folder = (Folder){.dir = dir};
@@ -203,8 +203,8 @@ void sheet_clear(Sheet *sheet)
     *sheet = (Sheet){0};
 }
 
-/* One cell, cut out of the text in place: *p moves behind it and behind what ends it, which is returned: ',' '\n' or 0.
- * -1: a quote is not closed. The apostrophe that keeps spreadsheets from computing is taken off. */
+/* Cuts one cell out of the text in place: *p moves behind it and behind its end, which is returned: ',' '\n' or 0. -1:
+ * a quote is not closed. Removes the apostrophe that keeps spreadsheets from computing. */
 static int cell_cut(char **p, const char **cell)
 {
     char *from = *p, *to = from;
@@ -225,7 +225,7 @@ static int cell_cut(char **p, const char **cell)
     return end;
 }
 
-/* Columns of the head, and lines: more than rows where quotes hide the ends of some. */
+/* Counts columns of the head, and lines: more than rows where quotes contain line ends. */
 static void count(const char *text, int *columns, int *lines)
 {
     int head = 1, quoted = 0;
@@ -241,7 +241,7 @@ static void count(const char *text, int *columns, int *lines)
     if (*text && text[strlen(text) - 1] != '\n') ++*lines;
 }
 
-/* One line into the cells of a row [columns]; 0: a quote is not closed. */
+/* Cuts one line into the cells of a row [columns]; 0: a quote is not closed. */
 static int row_cut(char **p, int columns, const char **row)
 {
     for (int k = 0, end = ','; end == ','; ++k) {
@@ -307,7 +307,7 @@ int is_json_number(const char *text)
         if (!isdigit((unsigned char)*t)) return 0;
         t += strspn(t, "0123456789");
     }
-    return !*t && isfinite(strtod(text, NULL)); /* 1e999 is none */
+    return !*t && isfinite(strtod(text, NULL)); /* 1e999 is not a finite number */
 }
 
 double sheet_number(const Sheet *sheet, int row, int column)
@@ -317,7 +317,7 @@ double sheet_number(const Sheet *sheet, int row, int column)
     return is_json_number(text) ? strtod(text, NULL) : NAN;
 }
 
-/* Whether all cells of a column are numbers or empty. */
+/* Checks whether all cells of a column are numbers or empty. */
 static int sheet_is_numeric(const Sheet *sheet, int column)
 {
     if (strcmp(sheet->name[column], "name") == 0) return 0;

@@ -1,6 +1,5 @@
-/* The page's program builds all that is seen from the data; this is the frame around both. Where no program may run, a
- * table says the verdict and the main figures. The policy forbids every request, and every program but the one that is
- * built in. */
+/* The frame of the page, whose program builds all visible parts from the data. Where no program may run, a table shows
+ * the verdict and the main figures. The policy forbids every request, and every program but the included one. */
 #include "io/report/report.h"
 
 #include <jansson.h>
@@ -16,7 +15,7 @@
 
 enum { TITLE_MOST = 200, WORDS_MOST = 2000 };
 
-/* "'sha256-...'", by which the policy knows the script. */
+/* Writes "'sha256-...'", by which the policy identifies the script. */
 static void policy_add(Text *out)
 {
     unsigned char sum[32];
@@ -26,7 +25,7 @@ static void policy_add(Text *out)
     text_add(out, "'; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n");
 }
 
-/* What a run is called, kept apart from the text around it whatever direction it is written in. */
+/* Writes the name of a run, separated from the text around it in any writing direction. */
 static void title_add(Text *out, const Folder *folder)
 {
     text_add(out, "<bdi>");
@@ -48,7 +47,7 @@ static void words_add(Text *out, const char *words, const char *text)
     text_add(out, "</bdi></td></tr>\n");
 }
 
-/* What one run comes to, for a browser without scripts. */
+/* Writes the results of one run, for a browser without scripts. */
 static void plain_add(Text *out, const Folder *folder)
 {
     text_add(out, "<h2>");
@@ -89,7 +88,7 @@ hawser_status page_write(size_t n, const Folder *folder, const Text *data, Text 
     text_add(out, "</noscript>\n<script type=\"application/json\" id=\"hawser-data\">");
     if (data->at) text_bytes(out, data->at, data->size);
     text_add(out, "</script>\n<script>");
-    text_bytes(out, script.at, script.size); /* its sum is that of the element's text: not a byte more */
+    text_bytes(out, script.at, script.size); /* its hash is that of the element's text: not a byte more */
     text_add(out, "</script>\n</body>\n</html>\n");
     return out->failed ? error_memory(err) : HAWSER_OK;
 }
@@ -103,7 +102,7 @@ void pack_quantize(int frames, int items, int components, double step, const flo
     }
 }
 
-/* Small numbers of either sign become small numbers: 0, -1, 1, -2 ... are 0, 1, 2, 3 ... */
+/* Maps small numbers of either sign to small numbers: 0, -1, 1, -2 ... to 0, 1, 2, 3 ... */
 static uint32_t zigzag(uint32_t d) { return d << 1 ^ (0U - (d >> 31)); }
 
 void pack_planes(int frames, int items, int components, const int32_t *q, unsigned char *planes)
@@ -149,14 +148,14 @@ int states_count(hid_t file)
     return dims[0] < n ? (int)dims[0] : (int)n; /* the time is written last */
 }
 
-/* Which state of the file the i-th frame is. */
+/* Returns the row of the file that is the i-th frame. */
 static hsize_t row_of(const States *s, int i)
 {
     return s->frames < 2 ? 0 : (hsize_t)((double)i * (s->there - 1) / (s->frames - 1) + 0.5);
 }
 
-/* The chosen rows of a set of `items` x `width` (0: one number an item, without a dimension of its own); NULL if there
- * is no such set, or without memory. */
+/* Reads the chosen rows of a set of `items` x `width` (0: one number an item, without a dimension of its own); NULL if
+ * there is no such set, or without memory. */
 static float *rows_read(hid_t file, const States *s, const char *name, int items, int width)
 {
     hsize_t dims[3] = {0, 0, 0};
@@ -174,7 +173,7 @@ static float *rows_read(hid_t file, const States *s, const char *name, int items
     return NULL;
 }
 
-/* A set of joints, [n+1]: of each state those ahead of the segments, as series.csv has them. */
+/* Reads a set of joints, [n+1]: for each state those ahead of the segments, as in series.csv. */
 static float *joints_read(hid_t file, const States *s, const char *name)
 {
     float *const t = rows_read(file, s, name, s->segments + 1, 0);
@@ -183,7 +182,7 @@ static float *joints_read(hid_t file, const States *s, const char *name)
     return t;
 }
 
-/* Speed along the segment's own axis, which is the first column of its rotation (w x y z): the velocity's share. */
+/* Computes the speed along the segment's own axis, the first column of its rotation (w x y z), from the velocity. */
 static float *speeds_make(hid_t file, const States *s)
 {
     float *const v = rows_read(file, s, "velocity", s->segments, 3), *const q = rows_read(file, s, "quaternion",
@@ -201,7 +200,7 @@ static float *speeds_make(hid_t file, const States *s)
     return NULL;
 }
 
-/* Forces on the rollers with their directions; of older results their sizes alone. */
+/* Reads forces on the rollers with their directions; for older results their sizes alone. */
 static void rollers_read(hid_t file, States *s)
 {
     Field *const f = &s->field[FIELD_ROLLERS];
@@ -262,7 +261,7 @@ static void number_add(Text *out, double value)
     if (!isfinite(value)) text_add(out, "null");
 }
 
-/* "[a,b]" of width numbers; width 0: one number without brackets. */
+/* Writes "[a,b]" of width numbers; width 0: one number without brackets. */
 static void numbers_add(Text *out, const double *values, int width)
 {
     if (width) text_add(out, "[");
@@ -273,13 +272,13 @@ static void numbers_add(Text *out, const double *values, int width)
     if (width) text_add(out, "]");
 }
 
-/* A set and the key under which it stands. width: numbers an item has, 0 a plain one; -1: names. */
+/* A set and its key. width: numbers in an item, 0 a plain one; -1: names. */
 typedef struct Item {
     const char *key, *set;
     int width;
 } Item;
 
-/* ,"key":[...] of a whole set; null if it is not there. */
+/* Writes ,"key":[...] of a whole set; null if it is missing. */
 static void array_add(Text *out, hid_t parent, const Item *item, int first)
 {
     hsize_t dims[2] = {0, 0};
@@ -306,7 +305,7 @@ static void array_add(Text *out, hid_t parent, const Item *item, int first)
     free(values);
 }
 
-/* "{...}" of sets side by side. */
+/* Writes "{...}" of parallel sets. */
 static void arrays_add(Text *out, hid_t parent, int n, const Item *item)
 {
     text_add(out, "{");
@@ -314,7 +313,8 @@ static void arrays_add(Text *out, hid_t parent, int n, const Item *item)
     text_add(out, "}");
 }
 
-/* "[{...},{...}]": an object for each item of sets of equal length; those that do not fit the first are left out. */
+/* Writes "[{...},{...}]": an object for each item of sets of equal length; those that do not fit the first are left
+ * out. */
 static void objects_add(Text *out, hid_t parent, int n, const Item *item)
 {
     enum { ITEMS_MOST = 12 };
@@ -380,7 +380,7 @@ static const Item chain_item[] = {{"length_m", "chain/length", 0},
 
 static const Item surface_item[] = {{"points_m", "points", 3}, {"up", "up", 3}};
 
-/* Where conveyors take the cable and give it back: two points each. */
+/* Writes where conveyors take the cable and release it: two points each. */
 static void conveyors_add(Text *out, hid_t file)
 {
     hsize_t n = 0, from[1] = {0}, to[1] = {0}, points[2] = {0, 0};
@@ -411,7 +411,7 @@ static void conveyors_add(Text *out, hid_t file)
     free(at);
 }
 
-/* A group with a name and numbers as attributes, and its way as sets. */
+/* Writes a group with a name and numbers as attributes, and its path as sets. */
 static void surface_add(Text *out, hid_t group)
 {
     static const Item number[] = {{"from_m", "from", 0},   {"to_m", "to", 0},         {"diameter_m", "diameter", 0},
@@ -450,7 +450,7 @@ static void surfaces_add(Text *out, hid_t file)
     text_add(out, "]");
 }
 
-/* One thing: a group with attributes alone; null if there is none. */
+/* Writes one thing: a group with attributes alone; null if there is none. */
 static void machine_add(Text *out, hid_t file, const char *path, int n, const Item *item)
 {
     const hid_t group = door_group(file, path);
@@ -524,7 +524,7 @@ static void chain_add(Text *out, hid_t file)
 
 static const Item place_item[] = {ENVELOPE("place")}, arc_item[] = {ENVELOPE("arc")};
 
-/* Whether the file has a group. */
+/* Checks whether the file has a group. */
 static int has(hid_t file, const char *path)
 {
     const hid_t group = door_group(file, path);
@@ -532,7 +532,7 @@ static int has(hid_t file, const char *path)
     return group >= 0;
 }
 
-/* Least, mean and largest over time, by place and by arc length; null where there is no such line. */
+/* Writes least, mean and largest over time, by place and by arc length; null where there is no such line. */
 static void envelope_add(Text *out, hid_t file)
 {
     text_add(out, ",\n\"envelope\":{\"place\":");
@@ -560,20 +560,21 @@ void geometry_add(Text *out, hid_t file, Folder *folder)
             "the cable alone");
 }
 
-/* Rows of a series on a page; frames; those of which is guessed how many fit; tries of a file that is being written. */
+/* Rows of a series on a page; frames; frames for the estimate of how many fit; tries to open a file that is being
+ * written. */
 enum { SERIES_MOST = 4000, FRAMES_MOST = 600, FRAMES_TRIED = 24, TRIES = 8 };
 
-/* Bytes of packed states: of one run so many for a short chain and so many more for each segment, of all together. */
+/* Bytes of packed states: for one run with a short chain, for each segment more, and for all runs together. */
 static const double states_least = 500e3, states_per_segment = 2.2e3, states_most = 7.5e6;
 
-/* A number for JSON, null if it is not finite. */
+/* Writes a number for JSON, null if it is not finite. */
 static void digits_add(Text *out, double value, int digits)
 {
     if (isfinite(value)) text_print(out, "%.*g", digits, value);
     if (!isfinite(value)) text_add(out, "null");
 }
 
-/* A table under its key; null if the folder has none. */
+/* Writes a table under its key; null if the folder has none. */
 static void sheet_add(Text *out, const char *key, const Sheet *sheet)
 {
     text_print(out, ",\n\"%s\":", key);
@@ -581,7 +582,7 @@ static void sheet_add(Text *out, const char *key, const Sheet *sheet)
     if (!sheet->columns) text_add(out, "null");
 }
 
-/* The series, thinned by the pull at the winch. */
+/* Writes the series, thinned by the pull at the winch. */
 static hawser_status series_add(Text *out, const Folder *folder, hawser_error *err)
 {
     const Sheet *const series = &folder->series;
@@ -593,14 +594,14 @@ static hawser_status series_add(Text *out, const Folder *folder, hawser_error *e
     } else {
         const int n = sheet_thin(series, sheet_column(series, "winch_force_N"), SERIES_MOST, row);
         sheet_json(series, n, row, out);
-        out->size -= !out->failed; /* the closing brace: one key more */
+        out->size -= !out->failed; /* drops the closing brace for one more key */
         text_print(out, ",\"thinned_from\":%d}", series->rows);
     }
     free(row);
     return HAWSER_OK;
 }
 
-/* Rows of objects. A value and its unit are one text here. */
+/* Writes rows of objects. A value and its unit are one text here. */
 static void inputs_add(Text *out, const Sheet *inputs)
 {
     static const char *const keys[] = {"key", "origin", "where", "source"};
@@ -640,7 +641,7 @@ static void notes_add(Text *out, const Folder *folder)
     text_add(out, "]");
 }
 
-/* Where the cable's front was at a time: the series has a row for every state. NAN: not known. */
+/* Returns the place of the cable's front at a time: the series has a row for every state. NAN: not known. */
 static double front_at(const Sheet *series, int time, int front, double t, int *from)
 {
     if (front < 0 || time < 0) return NAN;
@@ -648,7 +649,7 @@ static double front_at(const Sheet *series, int time, int front, double t, int *
     return *from < series->rows ? sheet_number(series, *from, front) : NAN;
 }
 
-/* Everything but the fields themselves. */
+/* Writes everything except the fields themselves. */
 static void states_head(Text *out, const States *s, const Sheet *series)
 {
     int from = 0;
@@ -673,7 +674,7 @@ static void states_head(Text *out, const States *s, const Sheet *series)
     text_add(out, "}");
 }
 
-/* The fields of the segments, then the forces on the rollers as an object of their own. */
+/* Packs the fields of the segments, then the forces on the rollers as an object of their own. */
 static hawser_status fields_pack(const States *s, Text *segments, Text *rollers, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -692,7 +693,7 @@ static hawser_status fields_pack(const States *s, Text *segments, Text *rollers,
     return status;
 }
 
-/* So many states of the file, packed: `segments` the fields, `rollers` their object. Errors: INPUT, MEMORY. */
+/* Packs so many states of the file: `segments` the fields, `rollers` their object. Errors: INPUT, MEMORY. */
 static hawser_status states_try(hid_t file, int most, States *s, Text *segments, Text *rollers, hawser_error *err)
 {
     text_clear(segments);
@@ -701,8 +702,8 @@ static hawser_status states_try(hid_t file, int most, States *s, Text *segments,
     return status ? status : fields_pack(s, segments, rollers, err);
 }
 
-/* As many frames as fit into `goal` bytes. A few say how many that will be: frames that are nearer to each other take
- * less, so that the guess is on the safe side, and a second one is rare. */
+/* Adds as many frames as fit into `goal` bytes. A few frames give the estimate: frames that are nearer to each other
+ * take less, so that it is on the safe side, and a second one is rare. */
 static hawser_status states_add(Text *out, hid_t file, Folder *folder, double goal, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
@@ -731,8 +732,7 @@ static hawser_status states_add(Text *out, hid_t file, Folder *folder, double go
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
 }
 
-/* The file with its states. That of a run in progress may be caught before its first flush: a little later it is there.
- */
+/* Opens the file with its states, with several tries: that of a run in progress may be found before its first flush. */
 static void states_wait(StatesFile *s, const Folder *folder)
 {
     const struct timespec nap = {0, 100 * 1000 * 1000};
@@ -745,7 +745,7 @@ static void states_wait(StatesFile *s, const Folder *folder)
     }
 }
 
-/* What results.h5 has: geometry, envelopes, states. */
+/* Writes the content of results.h5: geometry, envelopes, states. */
 static hawser_status states_file_add(Text *out, hid_t file, Folder *folder, double share, hawser_error *err)
 {
     geometry_add(out, file, folder);
@@ -762,7 +762,7 @@ typedef struct FilePart {
     double share;
 } FilePart;
 
-/* The same, of the file if it can be read: the notes that there are then, and the text. */
+/* Prints the same, if the file can be read: the notes, and the text. */
 static hawser_status file_print(void *user, FILE *out, hawser_error *err)
 {
     const FilePart *const part = user;
@@ -779,7 +779,7 @@ static hawser_status file_print(void *user, FILE *out, hawser_error *err)
     if (text.failed && !status) status = error_memory(err);
     if (!status && fwrite(&folder->n_notes, sizeof folder->n_notes, 1, out) == 1 &&
         fwrite(folder->note, sizeof folder->note, 1, out) == 1 && text.size > 0)
-        fwrite(text.at, text.size, 1, out); /* what does not get out is no end either */
+        fwrite(text.at, text.size, 1, out); /* incomplete output has no end mark either */
     text_clear(&text);
     return status;
 }
@@ -805,7 +805,7 @@ static hawser_status file_add(Text *out, Folder *folder, double share, hawser_er
     return status;
 }
 
-/* Theory along the route, whose columns are route.csv's. */
+/* Writes theory along the route, with the columns of route.csv. */
 static void theory_add(Text *out, const Sheet *route) { sheet_add(out, "theory_along", route); }
 
 static hawser_status run_add(Text *out, Folder *folder, double share, hawser_error *err)
@@ -825,7 +825,7 @@ static hawser_status run_add(Text *out, Folder *folder, double share, hawser_err
     return status;
 }
 
-/* The time at which a page is made, unless pages are wanted that are the same every time (SOURCE_DATE_EPOCH). */
+/* Writes the time at which a page is made, unless reproducible pages are requested (SOURCE_DATE_EPOCH). */
 static void generated_add(Text *out)
 {
     char text[32];

@@ -6,7 +6,7 @@
 
 #include "io/report/svg.h"
 
-/* Frames are as wide as the page but for the margins; more bends than BENDS_NAMED have no words beside them. */
+/* Frames fill the page except the margins; more bends than BENDS_NAMED are drawn without labels. */
 enum { WIDTH = 960, LEFT = 92, RIGHT = 24, TOP = 66, PLAN_MOST = 520, PROFILE = 200, BETWEEN = 80, BELOW = 52 };
 enum { BENDS_NAMED = 40, BENDS_LISTED = 2000, STYLES = SVG_FOURTH + 1 };
 
@@ -25,7 +25,7 @@ static SvgStyle style_of(int i) { return (SvgStyle)(i % STYLES); }
 /* -------------------------------------------------------------------------------------------------------------- plan
  */
 
-/* Start, end and, in the middle of its points, the direction. */
+/* Draws start, end and, in the middle of its points, the direction. */
 static void ends_draw(Svg *svg, const Axis *x, const Axis *y, const RoutePageLine *l, SvgStyle style)
 {
     const int last = l->n - 1, middle = last / 2;
@@ -80,7 +80,7 @@ static void plan_draw(const RoutePage *page, Text *out)
     svg_into(&svg, out);
 }
 
-/* Heights over the stations; a level route is not shown as mountains. */
+/* Draws heights over the stations; a level route is not shown as mountains. */
 static void profile_draw(const RoutePage *page, Text *out)
 {
     double along[2] = {INFINITY, -INFINITY}, up[2] = {INFINITY, -INFINITY};

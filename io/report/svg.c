@@ -82,7 +82,7 @@ void axes_to_scale(double left, double wide, double top, double most, const doub
                    Axis *x, Axis *y)
 {
     const double least = 90, dx = range_x[1] - range_x[0], dy = range_y[1] - range_y[0];
-    const double metre = fmin(wide / fmax(1.08 * dx, 1e-9), most / fmax(1.16 * dy, 1e-9)); /* pixels of one */
+    const double metre = fmin(wide / fmax(1.08 * dx, 1e-9), most / fmax(1.16 * dy, 1e-9)); /* pixels in a metre */
     const double height = fmax(least, fmin(most, metre * 1.16 * dy));
     const double half_x = wide / metre / 2, half_y = height / metre / 2, mx = range_x[0] + dx / 2,
                  my = range_y[0] + dy / 2;
@@ -90,7 +90,7 @@ void axes_to_scale(double left, double wide, double top, double most, const doub
     *y = (Axis){my - half_y, my + half_y, top + height, -height, y->label};
 }
 
-/* 1, 2 or 5 times a power of ten: the least that gives few enough steps. */
+/* Returns 1, 2 or 5 times a power of ten: the smallest step that gives few enough steps. */
 static double round_step(double range, int most)
 {
     const double raw = range / most, power = pow(10, floor(log10(raw)));
@@ -98,7 +98,7 @@ static double round_step(double range, int most)
     return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
 }
 
-/* How many decimals numbers in that step need. */
+/* Returns the decimals of numbers with that step. */
 static int decimals_of(double step)
 {
     const int d = (int)ceil(-log10(step) - 1e-9);
@@ -144,7 +144,7 @@ void svg_frame(Svg *svg, const Axis *x, const Axis *y)
                x->at + x->length);
 }
 
-/* What one column of pixels has to show: where the line enters it, how far it goes, where it leaves. */
+/* Line within one column of pixels: its entry, its extremes, its exit. */
 typedef struct PixelColumn {
     int first, least, largest, last;
 } PixelColumn;
@@ -155,7 +155,7 @@ static void point_add(Svg *svg, const Axis *x, const Axis *y, double u, double v
     *drawn = 1;
 }
 
-/* The points of a pixel's column in their order, each once. */
+/* Adds the points of a pixel's column in their order, each once. */
 static void column_add(Svg *svg, const Axis *x, const Axis *y, const double *xs, const double *ys, const PixelColumn *c,
                        int *drawn)
 {
@@ -208,7 +208,7 @@ void svg_arrow(Svg *svg, const Axis *x, const Axis *y, double u, double v, doubl
 {
     const double px = axis_pixel(x, u), py = axis_pixel(y, v), size = hypot(dx, dy), back = 7, aside = 5;
     if (!(size > 0)) return;
-    const double tx = dx / size, ty = -dy / size; /* pixels count down */
+    const double tx = dx / size, ty = -dy / size; /* pixels count downwards */
     text_print(&svg->out, "<path class=\"%s\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n", style_name[style],
                px + back * tx, py + back * ty, px - back * tx - aside * ty, py - back * ty + aside * tx,
                px - back * tx + aside * ty, py - back * ty - aside * tx);
@@ -227,7 +227,7 @@ void svg_scale(Svg *svg, const Axis *x, double right, double y, const char *unit
 
 void svg_north(Svg *svg, double x, double y, double angle, const char *word)
 {
-    const double size = 17, tx = cos(angle), ty = -sin(angle), tip = 0.35 * size; /* pixels count down */
+    const double size = 17, tx = cos(angle), ty = -sin(angle), tip = 0.35 * size; /* pixels count downwards */
     text_print(&svg->out,
                "<path class=\"edge\" d=\"M%.1f %.1fL%.1f %.1f\"/><path class=\"grey\" d=\"M%.1f %.1fL%.1f "
                "%.1fL%.1f %.1fz\"/><text class=\"small\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">",

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for `more` bytes and a NUL; 0 without memory. */
+/* Allocates `more` bytes and a NUL; 0 without memory. */
 static int room_make(Text *t, size_t more)
 {
     if (t->failed) return 0;
@@ -53,8 +53,8 @@ void text_clear(Text *t)
     *t = (Text){0};
 }
 
-/* The character at p, which has n > 0 bytes, and how many of them it takes: RFC 3629, with neither overlong forms nor
- * surrogates. What is none is one byte of U+FFFD. */
+/* Decodes the character at p, which has n > 0 bytes, and its length in bytes: RFC 3629, with neither overlong forms nor
+ * surrogates. An invalid one is one byte, U+FFFD. */
 static uint32_t utf8_at(const unsigned char *p, size_t n, size_t *length)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -72,7 +72,7 @@ static uint32_t utf8_at(const unsigned char *p, size_t n, size_t *length)
     return c;
 }
 
-/* Whether a character may not stand in a script element as it is. */
+/* Checks whether a character must be escaped in a script element. */
 static int is_risky(uint32_t c) { return c == '<' || c == '>' || c == '&' || c == 0x2028 || c == 0x2029; }
 
 void text_json(Text *t, const char *words)
@@ -99,7 +99,7 @@ void text_json(Text *t, const char *words)
 void text_json_whole(Text *t, const char *json, size_t size)
 {
     const unsigned char *const p = (const unsigned char *)json;
-    size_t plain = 0, length; /* where what has not been copied yet begins */
+    size_t plain = 0, length; /* beginning of the bytes that have not been copied yet */
     for (size_t i = 0; i < size; i += length) {
         const uint32_t c = utf8_at(p + i, size - i, &length);
         if (!is_risky(c)) continue;
@@ -153,9 +153,8 @@ void text_base64(Text *t, const unsigned char *bytes, size_t size)
     t->size = (size_t)(to - t->at);
 }
 
-/* Without memory jansson finds fault with some word of the text. So it is asked before whether there is any (a value
- * and its key are some hundred bytes, of which a text has one in eight letters or fewer), and what it finds is looked
- * for twice. */
+/* Without memory jansson reports a wrong syntax error. So memory is checked before (a value and its key take some
+ * hundred bytes, and eight letters of text or fewer hold at most one), and reading is tried twice. */
 struct json_t *text_as_json(const char *json, struct json_error_t *wrong, int *lack)
 {
     enum { BYTES_A_LETTER = 24, ROOM = 1 << 16 };

@@ -1,4 +1,4 @@
-/* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns
+/* One content in three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns
  * (page.c), lists of objects or CSV. */
 #define _GNU_SOURCE /* fopencookie */
 #include <assert.h>
@@ -40,9 +40,8 @@ static Cell cell_at(const Table *t, int row, int column)
     return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
 }
 
-/* Text of a case must command no spreadsheet and no terminal: what a spreadsheet would take for a formula begins with
- * an apostrophe, which it does not show, and control characters are question marks. RFC 4180: quotes where they are
- * needed. */
+/* Writes text of a case so that it controls no spreadsheet and no terminal: an apostrophe, which a spreadsheet hides,
+ * before what it would take for a formula, and question marks for control characters. RFC 4180: quotes where needed. */
 static void csv_text(FILE *f, const char *text)
 {
     const int formula = text[0] && strchr("=+-@", text[0]), quoted = strpbrk(text, ",\"") != NULL;
@@ -55,7 +54,7 @@ static void csv_text(FILE *f, const char *text)
     if (quoted) fputc('"', f);
 }
 
-/* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
+/* Leaves the cell empty for a number that is not known: readers of CSV disagree about "nan". */
 void csv_cell(FILE *f, Cell cell, int digits)
 {
     if (cell.text)
@@ -64,7 +63,7 @@ void csv_cell(FILE *f, Cell cell, int digits)
         fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
 }
 
-/* Keys in the first row, then the rows. */
+/* Prints keys in the first row, then the rows. */
 static void print_csv_table(FILE *f, const Table *t)
 {
     for (int c = 0; c < t->columns.n; c++) fprintf(f, "%s%s", c ? "," : "", t->columns.column[c].key);
@@ -78,7 +77,7 @@ static void print_csv_table(FILE *f, const Table *t)
     }
 }
 
-/* A fact a row. */
+/* Prints a row for each fact. */
 static void print_csv_facts(FILE *f, const Document *doc)
 {
     fprintf(f, "key,value,unit\n");
@@ -89,8 +88,8 @@ static void print_csv_facts(FILE *f, const Document *doc)
     }
 }
 
-/* Text that is not UTF-8 becomes null, like a number that is not finite; NULL without memory. Where there was none for
- * a text there is none a moment later. */
+/* Returns null for text that is not UTF-8, as for a number that is not finite; NULL without memory. If there was no
+ * memory for a text a second attempt has none either. */
 static json_t *json_cell(Cell cell)
 {
     if (!cell.text) return isfinite(cell.value) ? json_real(cell.value) : json_null();
@@ -144,7 +143,7 @@ char *json_dumped(const struct json_t *o, size_t flags)
 
 char *json_text(const struct json_t *o) { return json_dumped(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)); }
 
-/* A table is a list of objects, one a row; NULL without memory. */
+/* Returns a table as a list of objects, one a row; NULL without memory. */
 static json_t *json_table(const Table *t)
 {
     json_t *const rows = json_array();
@@ -185,7 +184,7 @@ json_t *document_json(const Document *doc, const char *const *wanted)
     return NULL;
 }
 
-/* The whole document as text, NULL without memory. */
+/* Returns the whole document as text, NULL without memory. */
 static char *json_document(const Document *doc)
 {
     json_t *const o = document_json(doc, NULL);
@@ -194,7 +193,7 @@ static char *json_document(const Document *doc)
     return body;
 }
 
-/* The same content in each form; CSV can hold one table only. 0 without memory. */
+/* Prints the same content in each form; CSV can hold one table only. 0 without memory. */
 static int print_document(FILE *f, const Document *doc, int format)
 {
     if (format == HAWSER_CSV) {
@@ -211,7 +210,7 @@ static int print_document(FILE *f, const Document *doc, int format)
     return !ferror(f);
 }
 
-/* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
+/* Prints under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
 static hawser_status print_whole(int (*print)(FILE *f, const Document *doc, int how), const Document *doc, int how,
                                  char **text, hawser_error *err)
 {
@@ -240,30 +239,30 @@ hawser_status document_html(const Document *doc, hawser_units units, char **text
     return print_whole(document_print_html, doc, (int)units, text, err);
 }
 
-/* Documents as people read them: facts one a line, tables in columns that fit a page. Units are chosen here, by column,
- * by row or by fact; what stands in sentences goes through hawser_show_text. */
+/* Documents for readers: facts one a line, tables in columns that fit a page. Units are chosen here, by column, by row
+ * or by fact; quantities in sentences are converted by hawser_show_text. */
 
 enum { CELL_MAX = 640, COLUMNS_MAX = 32, PAGE = 118, WRAP_MIN = 30, PAGE_DIGITS = 5 };
 
 /* A column of a table as it is shown. */
 typedef struct ColumnShape {
     const Column *column;
-    Scale scale;      /* of all its cells, if none of them has a unit of its own */
+    Scale scale;      /* for all its cells, if none of them has a unit of its own */
     int unit_at;      /* the column with each row's unit; -1: none */
     int is_unit;      /* it is such a column itself */
-    int decimals;     /* < 0: as many as it takes */
+    int decimals;     /* < 0: as many as needed */
     int left;         /* text to the left, numbers to the right */
-    int label, width; /* bytes of the label without its unit; of the widest cell */
+    int label, width; /* bytes of the label without its unit; bytes of the widest cell */
 } ColumnShape;
 
 typedef struct Page {
     const Table *table;
     hawser_units units;
-    int n, lead;                    /* the first `lead` columns say what a row is about */
-    ColumnShape shape[COLUMNS_MAX]; /* [n] those that are shown */
+    int n, lead;                    /* the first `lead` columns identify a row */
+    ColumnShape shape[COLUMNS_MAX]; /* [n] the shown columns */
 } Page;
 
-/* The column behind c in a piece of the table that has the leading columns and those from `from` on. */
+/* Returns the column behind c in a piece of the table that has the leading columns and those from `from` on. */
 static int next_column(const Page *page, int c, int from) { return c + 1 == page->lead ? from : c + 1; }
 
 static Cell cell_of(const Page *page, int row, const Column *column)
@@ -279,7 +278,7 @@ static const Column *column_of_key(const Table *t, const char *key)
     return NULL;
 }
 
-/* The largest size in a row of what is in the unit that the column `unit` names. */
+/* Returns the largest size in a row of the values whose unit is in the column `unit`. */
 static double row_size(const Page *page, int row, const Column *unit)
 {
     double size = 0;
@@ -292,7 +291,8 @@ static double row_size(const Page *page, int row, const Column *unit)
     return size;
 }
 
-/* The largest size in a column; forces of one table go by the largest of them all, so that they can be compared. */
+/* Returns the largest size in a column; all forces of a table use the largest of them all, so that they can be
+ * compared. */
 static double column_size(const Page *page, const Column *of)
 {
     const char *const unit = unit_of_key(of->key);
@@ -308,7 +308,7 @@ static double column_size(const Page *page, const Column *of)
     return size;
 }
 
-/* Whether a name is that of a station that nobody has named, "30 m" at 30 m. */
+/* Checks whether a name is the default name of a station, "30 m" at 30 m. */
 static int is_plain_place(const Page *page, int row, const char *name)
 {
     char metres[HAWSER_SHOWN_MAX] = "";
@@ -319,7 +319,7 @@ static int is_plain_place(const Page *page, int row, const char *name)
     return strcmp(metres, name) == 0;
 }
 
-/* A text of a cell: names are the user's and stay; elsewhere quantities are turned. */
+/* Writes the text of a cell: the user's names stay; quantities elsewhere are converted. */
 static const char *say_words(const Page *page, const Column *column, int row, const char *words, char *text)
 {
     static const char *const names[] = {"name",       "piece",     "layer", "chain", "cable",
@@ -335,14 +335,14 @@ static const char *say_words(const Page *page, const Column *column, int row, co
     return hawser_show_text(words, page->units, text, CELL_MAX);
 }
 
-/* In so many decimals, without the sign of what rounds to 0. */
+/* Writes so many decimals, without the sign of a value that rounds to 0. */
 static void say_fixed(double value, int decimals, char *text)
 {
     snprintf(text, CELL_MAX, "%.*f", decimals, value);
     if (*text == '-' && !text[1 + strspn(text + 1, "0.")]) snprintf(text, CELL_MAX, "%.*f", decimals, 0.0);
 }
 
-/* A cell as people read it; `text` has CELL_MAX bytes. */
+/* Writes a cell for readers; `text` has CELL_MAX bytes. */
 static const char *say_cell(const Page *page, const ColumnShape *shape, int row, char *text)
 {
     const Cell cell = cell_of(page, row, shape->column);
@@ -366,7 +366,7 @@ static const char *say_cell(const Page *page, const ColumnShape *shape, int row,
     return text;
 }
 
-/* As many decimals as keep the resolution, at most three where there were fewer. */
+/* Returns as many decimals as keep the resolution, at most three where there were fewer. */
 static int decimals_of(const Column *column, double factor)
 {
     if (column->decimals < 0 || factor == 1) return column->decimals;
@@ -374,7 +374,7 @@ static int decimals_of(const Column *column, double factor)
     return wanted < 0 ? 0 : wanted > most ? most : wanted;
 }
 
-/* The label without the unit behind its comma, for the unit stands below it. */
+/* Returns the length of the label without the unit behind its comma, which is shown below it. */
 static int label_length(const char *label, const char *unit)
 {
     const size_t n = strlen(label), u = strlen(unit);
@@ -383,7 +383,7 @@ static int label_length(const char *label, const char *unit)
     return n > u + 2 && !strncmp(label + n - u - 2, ", ", 2) ? (int)(n - u - 2) : (int)n;
 }
 
-/* How a column is shown; its width is found later. */
+/* Returns the form of a column; its width is found later. */
 static ColumnShape shape_of(const Page *page, const Column *column)
 {
     const Table *const t = page->table;
@@ -402,7 +402,8 @@ static ColumnShape shape_of(const Page *page, const Column *column)
     return shape;
 }
 
-/* A column in which nothing is known is not shown. Widths are in bytes: names with accents come out a little narrow. */
+/* Adds a column unless none of its values is known. Widths are in bytes: names with accents appear a little narrower.
+ */
 static void add_column(Page *page, const Column *column)
 {
     char text[CELL_MAX];
@@ -421,7 +422,7 @@ static void add_column(Page *page, const Column *column)
     if (known) page->shape[page->n++] = shape;
 }
 
-/* Labels, and their units below them. */
+/* Prints labels, and their units below them. */
 static void print_head(FILE *f, const Page *page, int from, int to)
 {
     int units = 0;
@@ -439,20 +440,20 @@ static void print_head(FILE *f, const Page *page, int from, int to)
     }
 }
 
-/* Text cut at blanks into lines of `width` bytes, the second and later ones moved in. */
+/* Prints text wrapped at blanks into lines of `width` bytes, the second and later ones indented. */
 static void print_wrapped(FILE *f, const char *text, int indent, int width)
 {
     while ((int)strlen(text) > width) {
         int n = width;
         while (n > 0 && text[n] != ' ') --n;
-        if (n == 0) break; /* a word that is too long stands as it is */
+        if (n == 0) break; /* a word that is too long is not cut */
         fprintf(f, "%.*s\n%*s", n, text, indent, "");
         text += n + 1;
     }
     fputs(text, f);
 }
 
-/* The rows of the leading columns and of columns from .. to, the last of which may be cut into lines. */
+/* Prints the rows of the leading columns and of columns from .. to, the last of which may be wrapped. */
 static void print_rows(FILE *f, const Page *page, int from, int to)
 {
     char text[CELL_MAX];
@@ -471,8 +472,8 @@ static void print_rows(FILE *f, const Page *page, int from, int to)
     }
 }
 
-/* Where the columns from `from` on are cut: before the first that does not fit, or before the last group that begins
- * until there. A last column of text fits where a few words do. */
+/* Returns where the columns from `from` on are cut: before the first that does not fit, or before the last group that
+ * begins before it. A last column of text fits if a few words do. */
 static int page_end(const Page *page, int from)
 {
     int width = 0, group = 0;
@@ -487,8 +488,8 @@ static int page_end(const Page *page, int from)
     return page->n;
 }
 
-/* A table that is too wide stands in pieces one below the other, each with the leading columns: the first, and the
- * second where both are text. */
+/* Prints a table that is too wide in pieces below each other, each with the leading columns: the first, and the second
+ * where both are text. */
 static void print_table(FILE *f, const Table *t, hawser_units units)
 {
     Page page = {.table = t, .units = units};
@@ -507,7 +508,7 @@ static void print_table(FILE *f, const Table *t, hawser_units units)
 
 enum { FACT_MAX = 2048 };
 
-/* Value and unit: the key's, which may go on in words, "m along the route". `text` has FACT_MAX bytes. */
+/* Writes value and unit: the key's, which may continue with words, "m along the route". `text` has FACT_MAX bytes. */
 static const char *say_fact(const Fact *fact, hawser_units units, char *text)
 {
     char digits[HAWSER_SHOWN_MAX];
@@ -529,7 +530,7 @@ static void print_fact(FILE *f, const Fact *fact, int width, hawser_units units)
     fputc('\n', f);
 }
 
-/* The values stand under each other. */
+/* Aligns the values below each other. */
 static void print_facts(FILE *f, const Document *doc, hawser_units units)
 {
     int width = 0;
@@ -561,14 +562,14 @@ static void print_escaped(FILE *f, const char *text, int length)
     }
 }
 
-/* A text of the program's in the page's language. */
+/* Prints a text of the program in the page's language. */
 static void print_words(FILE *f, Language language, const char *english)
 {
     char text[WORDS_MAX];
     print_escaped(f, words_in(language, english, text), WORDS_MAX);
 }
 
-/* Names of the case stay as they are; what else stands in a column may be words. */
+/* Checks whether a column holds names of the case, which stay as they are; other columns may hold words. */
 static int has_names(const Column *column)
 {
     static const char *const labels[] = {"piece", "duct", "pushed by", "of"};
@@ -577,7 +578,7 @@ static int has_names(const Column *column)
     return names;
 }
 
-/* Numbers in classless cells to the right, words in cells of class "w". */
+/* Prints numbers in classless cells to the right, words in cells of class "w". */
 static void print_html_table(FILE *f, const Table *t, hawser_units units, Language language)
 {
     Page page = {.table = t, .units = units};

@@ -1,21 +1,17 @@
-/* HDF5 does not survive every file: of some it reads beyond its memory, calls exit, or never ends, and no check before
- * it is opened would find all of them. So what may be somebody else's is read in a process of its own, which is forked
- * for it and gives back plain bytes. The process that calls goes on whatever becomes of the other one. */
+/* Reads HDF5 in a separate process. HDF5 does not survive every file: with some it reads beyond its memory, calls exit,
+ * or never ends, and no check before opening would find all of them. A file that may come from somebody else is read in
+ * a forked process, which returns plain bytes. The calling process continues whatever happens there. */
 #define _GNU_SOURCE /* pipe2 */
-/* The driver does what HDF5's own POSIX driver does, with pread and pwrite, but for three things: it takes no lock, a
- * write that fails is remembered instead of returned, and what the last flush left on disk stays as it is until the
- * next one.
- *
- * HDF5 writes its metadata when its caches have no room, in any order, and uses the place of what has moved again: a
- * program that is killed between two flushes would leave a file that points nowhere. So everything below `kept`, the
- * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
- * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
- * superblock, which is at 0, comes at the very end. A kill within these few writes, of a page each, leaves a file
- * between the two: so the pages are written to a journal before, which is there for no longer than that, and
- * disk_recover does again what it says.
- *
- * HDF5 does not survive a file that changes while it reads: it takes sizes from one place for bytes of another. So a
- * reader's lock holds flushes back, and a flush keeps readers out. */
+/* A driver like HDF5's own POSIX driver, with pread and pwrite, but for three things: it takes no lock, a failed write
+ * is remembered instead of returned, and the file of the last flush stays unchanged on disk until the next one. HDF5
+ * writes its metadata when its caches are full, in any order, and reuses the place of moved parts: a program that is
+ * killed between two flushes would leave a file with invalid pointers. So everything below `kept`, the size at the last
+ * flush, is changed in memory only, page by page. Nothing points above it yet, and that part is written at once. A
+ * flush writes the pages, from the last to the first: new parts lie behind the pointers to them, and the superblock,
+ * which is at 0, is last. A kill within these few writes, of a page each, would leave a mixture: so the pages are
+ * written to a journal before, which exists only for that time, and disk_recover repeats its writes. HDF5 does not
+ * survive a file that changes while it reads: it takes sizes from one place for bytes of another. So a reader's lock
+ * delays flushes, and a flush excludes readers. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -35,7 +31,7 @@
 #include "core/file.h"
 #include "io/results/results_h5.h"
 
-/* What the property list carries. */
+/* Data of the property list. */
 typedef struct DiskInfo {
     DiskWords *words;
     DiskPlace place;
@@ -43,10 +39,10 @@ typedef struct DiskInfo {
 
 enum { PAGE = 4096 };
 
-/* Bytes of a journal that is read: far above what changes between two flushes. */
+/* Largest size of a journal, bytes: far above the changes between two flushes. */
 static const size_t JOURNAL_MOST = (size_t)1 << 32;
 
-/* What is to be bytes number*PAGE and on of the file. */
+/* New content of bytes number*PAGE and on of the file. */
 typedef struct DiskPage {
     haddr_t number;
     char *bytes; /* [PAGE], owned */
@@ -55,11 +51,11 @@ typedef struct DiskPage {
 typedef struct DiskFile {
     H5FD_t base; /* HDF5's part, first */
     int fd, at;  /* its descriptor; its folder's, < 0: it has no journal */
-    int patient; /* readers have not been waited for in vain */
+    int patient; /* no wait for readers has timed out yet */
     DiskWords *words;
-    haddr_t allocated, size; /* bytes that HDF5 uses, bytes there */
-    haddr_t kept;            /* bytes that are as the last flush left them */
-    DiskPage *page;          /* [pages] of them that have changed since, in the file's order; room for page_room */
+    haddr_t allocated, size; /* bytes that HDF5 uses, bytes of the file */
+    haddr_t kept;            /* bytes that are as in the last flush */
+    DiskPage *page;          /* [pages] of these that have changed since, in the file's order; memory for page_room */
     size_t pages, page_room;
     dev_t device;
     ino_t inode;
@@ -67,7 +63,7 @@ typedef struct DiskFile {
 
 static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
 
-/* The first one tells the reason; later ones are its consequences. */
+/* Keeps the first error, which is the cause; later ones are consequences. */
 static void keep_error(const DiskFile *f)
 {
     if (!f->words->error) f->words->error = errno ? errno : EIO;
@@ -75,12 +71,12 @@ static void keep_error(const DiskFile *f)
 
 /* ------------------------------------------------------------------------------------------------------ journal */
 
-/* A journal: this, then the pages' numbers and contents. */
+/* Head of a journal, followed by the pages' numbers and contents. */
 typedef struct JournalHead {
-    uint64_t pages, size, hash; /* size: of the file when they are all written; hash: of them */
+    uint64_t pages, size, hash; /* size: of the file after all pages are written; hash: of the pages */
 } JournalHead;
 
-/* The changed pages; where there is no room for them the file does without. */
+/* Writes the changed pages; without space for it the flush continues without a journal. */
 static void journal_write(const DiskFile *f)
 {
     const size_t each = sizeof(uint64_t) + PAGE, size = sizeof(JournalHead) + f->pages * each;
@@ -99,12 +95,12 @@ static void journal_write(const DiskFile *f)
     if (fd >= 0) close(fd);
     if (!whole || !file_name_in(f->at, part, f->at, JOURNAL_FILE)) {
         if (fd >= 0) file_remove_in(f->at, part);
-        file_remove_in(f->at, JOURNAL_FILE); /* nor one that was left */
+        file_remove_in(f->at, JOURNAL_FILE); /* also removes an old one */
     }
     free(all);
 }
 
-/* Whether all of the pages got to the file. */
+/* Writes the pages to the file. Returns 0 if one fails. */
 static int journal_apply(int fd, const char *all, const JournalHead *head)
 {
     const char *at = all + sizeof *head;
@@ -116,11 +112,10 @@ static int journal_apply(int fd, const char *all, const JournalHead *head)
     return !ftruncate(fd, (off_t)head->size);
 }
 
-/* Bytes by which a file may be longer after a journal than before and with its pages: far above what is laid out and
- * not written. */
+/* Bytes by which a journal may lengthen a file beyond its pages: far above what is laid out and not written. */
 enum { LONGER_MOST = 1 << 26 };
 
-/* Whether a journal is as it was written, and of this file: pages of it in their order. */
+/* Checks that a journal is complete, and of this file: its pages in their order. */
 static int journal_is_whole(const char *all, size_t size, int fd, JournalHead *head)
 {
     const size_t each = sizeof(uint64_t) + PAGE;
@@ -139,8 +134,8 @@ static int journal_is_whole(const char *all, size_t size, int fd, JournalHead *h
     return 1;
 }
 
-/* The file's journal, if it is there and whole: *all, malloc'ed, or NULL. Errors: OUTPUT (it cannot be read), MEMORY.
- */
+/* Reads the file's journal, if it exists and is complete: *all, malloc'ed, or NULL. Errors: OUTPUT (it cannot be read),
+ * MEMORY. */
 static hawser_status journal_read(const DiskPlace *place, char **all, JournalHead *head, hawser_error *err)
 {
     size_t size;
@@ -154,8 +149,8 @@ static hawser_status journal_read(const DiskPlace *place, char **all, JournalHea
     return status;
 }
 
-/* A journal that is not whole was being written when nothing had been done to the file yet. One that cannot be read, or
- * not be followed, stays for the next time. */
+/* Applies a journal. An incomplete one was interrupted before the file was changed. One that cannot be read or applied
+ * stays for the next time. */
 hawser_status disk_recover(const DiskPlace *place, hawser_error *err)
 {
     char *all;
@@ -168,7 +163,7 @@ hawser_status disk_recover(const DiskPlace *place, hawser_error *err)
     return status;
 }
 
-/* What a journal says becomes the file's changed pages, in memory. 0: it cannot be read, or without memory. */
+/* Makes the pages of a journal the file's changed pages, in memory. 0: it cannot be read, or without memory. */
 static int journal_overlay(DiskFile *f, const DiskPlace *place)
 {
     char *all;
@@ -201,8 +196,7 @@ static void pages_drop(DiskFile *f)
 
 /* ------------------------------------------------------------------------------------------- readers and flushes */
 
-/* A lock on a file, for which it waits up to `tries` naps. 1: it is held, or there are no locks here; 0: somebody else
- * has it. */
+/* Locks a file, waiting up to `tries` naps. 1: it is held, or there are no locks here; 0: somebody else has it. */
 static int lock_take(int fd, int operation, int tries)
 {
     const struct timespec nap = {0, 5 * 1000 * 1000};
@@ -213,7 +207,8 @@ static int lock_take(int fd, int operation, int tries)
     }
 }
 
-/* Whether a flush may go on. One that a checkpoint needs, or the file's end, waits for readers, but not for ever. */
+/* Checks whether a flush may go on. One for a checkpoint, or for the file's end, waits for readers, but not for ever.
+ */
 static int flush_begin(DiskFile *f, int must)
 {
     enum { TRIES = 2000 }; /* 10 s */
@@ -226,7 +221,7 @@ static void flush_end(const DiskFile *f) { flock(f->fd, LOCK_UN); }
 
 void states_open_descriptor(StatesFile *s, int fd, int at)
 {
-    enum { TRIES = 400, ROOM = 4 << 20 }; /* 2 s; what HDF5 may take to open a file or a set, bytes */
+    enum { TRIES = 400, ROOM = 4 << 20 }; /* 2 s; memory that HDF5 may take to open a file or a set, bytes */
     *s = (StatesFile){.file = -1, .lock = fd, .driver = -1};
     if (fd < 0 || !lock_take(fd, LOCK_SH, TRIES) || !memory_room(ROOM)) return;
     H5E_BEGIN_TRY
@@ -259,8 +254,8 @@ void states_close(StatesFile *s)
 
 /* --------------------------------------------------------------------------------------------------- the driver */
 
-/* Called by HDF5, also to look whether the file can be opened at all. The name says nothing here: the file is open. A
- * second one at a time would be what a link or a set of the file leads to. */
+/* Opens the file for HDF5, also when HDF5 tries whether it can be opened. The name is not used: the file is open. A
+ * second file at a time is refused: a link or a set would have led there. */
 static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t max)
 {
     const DiskInfo *info = H5Pget_driver_info(access);
@@ -289,7 +284,7 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
         if (fd >= 0) close(fd);
         return NULL;
     }
-    info->words->error = 0; /* HDF5 tries softer ways to open a file first */
+    info->words->error = 0; /* HDF5 tries weaker ways to open a file first */
     info->words->open = 1;
     return &f->base;
 }
@@ -302,7 +297,7 @@ static int disk_compare(const H5FD_t *a, const H5FD_t *b)
     return (f->inode > g->inode) - (f->inode < g->inode);
 }
 
-/* What this driver can be asked to do: gather small pieces before they are written, as HDF5's own driver does. */
+/* Returns the driver's features: it gathers small pieces before they are written, as HDF5's own driver does. */
 static herr_t disk_query(const H5FD_t *file, unsigned long *flags)
 {
     (void)file;
@@ -311,14 +306,14 @@ static herr_t disk_query(const H5FD_t *file, unsigned long *flags)
     return 0;
 }
 
-/* The end of what HDF5 has laid out, which it counts itself. */
+/* Returns the end of HDF5's layout, which HDF5 keeps itself. */
 static haddr_t disk_get_allocated(const H5FD_t *file, H5FD_mem_t type)
 {
     (void)type;
     return ((const DiskFile *)file)->allocated;
 }
 
-/* The counterpart of the above. */
+/* Sets the same. */
 static herr_t disk_set_allocated(H5FD_t *file, H5FD_mem_t type, haddr_t address)
 {
     (void)type;
@@ -326,14 +321,14 @@ static herr_t disk_set_allocated(H5FD_t *file, H5FD_mem_t type, haddr_t address)
     return 0;
 }
 
-/* The end of what is on disk. */
+/* Returns the end of the file on disk. */
 static haddr_t disk_get_size(const H5FD_t *file, H5FD_mem_t type)
 {
     (void)type;
     return ((const DiskFile *)file)->size;
 }
 
-/* Bytes from the disk; beyond the file's end they are zeros. 0: none of it. */
+/* Reads bytes from the disk; beyond the file's end they are zeros. 0: it failed. */
 static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
 {
     const ssize_t n = whole_pread(f->fd, p, size, (off_t)at);
@@ -341,14 +336,13 @@ static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
     return n >= 0;
 }
 
-/* Bytes to the disk. After an error nothing is written any more: metadata must not point to data that did not get out.
- */
+/* Writes bytes to the disk. After an error nothing more is written: metadata must not point to lost data. */
 static void write_all(DiskFile *f, haddr_t at, size_t size, const char *p)
 {
     if (!f->words->error && !whole_pwrite(f->fd, p, size, (off_t)at)) keep_error(f);
 }
 
-/* The first changed page with that number or a higher one; f->pages if there is none. */
+/* Returns the first changed page with that number or a higher one; f->pages if there is none. */
 static size_t page_find(const DiskFile *f, haddr_t number)
 {
     size_t low = 0, high = f->pages;
@@ -362,7 +356,7 @@ static size_t page_find(const DiskFile *f, haddr_t number)
     return low;
 }
 
-/* A page that is about to change, with what it holds until then; NULL without memory or if it cannot be read. */
+/* Returns a page that is about to change, with its present content; NULL without memory or if it cannot be read. */
 static char *page_take(DiskFile *f, haddr_t number)
 {
     const size_t k = page_find(f, number);
@@ -384,7 +378,7 @@ static char *page_take(DiskFile *f, haddr_t number)
     return bytes;
 }
 
-/* What the disk has, and over it what has changed since. */
+/* Reads the disk, overlaid with the changed pages. */
 static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, void *buffer)
 {
     const DiskFile *f = (const DiskFile *)file;
@@ -404,7 +398,7 @@ static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t a
     return 0;
 }
 
-/* Below `kept` into pages, above it to the disk. */
+/* Writes below `kept` into pages, above it to the disk. */
 static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void *buffer)
 {
     DiskFile *f = (DiskFile *)file;
@@ -426,8 +420,8 @@ static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
     return 0;
 }
 
-/* Makes the file as long as what HDF5 uses of it. What is cut off is not part of what the last flush left: only a file
- * that shrinks below that waits for the flush. */
+/* Sets the file's length to what HDF5 uses. The part that the last flush left is not cut: a file that shrinks below it
+ * waits for the flush. */
 static void fit_size(DiskFile *f)
 {
     if (f->words->error || f->allocated == f->size) return;
@@ -444,7 +438,7 @@ static herr_t disk_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
     return 0;
 }
 
-/* The moment at which the file becomes the next one: see above. */
+/* Turns the file into the next one: see above. */
 static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     DiskFile *f = (DiskFile *)file;
@@ -466,7 +460,7 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     return 0;
 }
 
-/* HDF5 gives the file up whatever is returned, so a failed close is kept as an error, too. */
+/* Stores a failed close as an error, too: HDF5 gives the file up whatever is returned. */
 static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
@@ -481,7 +475,7 @@ static herr_t disk_close(H5FD_t *file)
     return 0;
 }
 
-/* The driver is registered for each file, so that no state is shared between simulations. */
+/* Registers the driver for each file, so that simulations share no state. */
 hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words)
 {
     const H5FD_class_t driver = {
@@ -515,15 +509,15 @@ hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words)
     return id;
 }
 
-/* HDF5 as data. A file of HDF5 can have any other file of the machine as its own contents (external storage), lead into
- * other files (external links, virtual sets), and have code loaded that undoes its filters. None of that is what hawser
- * writes, and none is opened. */
+/* HDF5 as data. A file of HDF5 can have any other file of the machine as its contents (external storage), lead into
+ * other files (external links, virtual sets), and have code loaded for its filters. hawser writes none of these, and
+ * opens none. */
 
-/* What HDF5 may take to open an object, bytes; of one chunk; bytes that one stored byte can become (deflate); what a
- * file may leave out because it was never written. */
+/* Memory that HDF5 may take to open an object, bytes; of one chunk; bytes from one stored byte (deflate); bytes that a
+ * file may leave out because they were never written. */
 enum { ROOM = 4 << 20, CHUNK_MOST = 1 << 30, GROWTH = 1100, SPARE = 1 << 20 };
 
-/* Filters of an object's property list: those by which hawser writes. */
+/* Checks that filters of an object's property list are those that hawser writes. */
 static int filters_are_ours(hid_t plist)
 {
     const int n = H5Pget_nfilters(plist);
@@ -545,7 +539,7 @@ static int group_is_data(hid_t group)
     return ours;
 }
 
-/* One level of a path; < 0 with what is refused. */
+/* Opens one level of a path; < 0 for refused links. */
 static hid_t link_open(hid_t group, const char *name)
 {
     H5L_info_t info;
@@ -555,7 +549,7 @@ static hid_t link_open(hid_t group, const char *name)
     return H5Oopen(group, name, H5P_DEFAULT);
 }
 
-/* An object of that kind. */
+/* Opens an object of that kind. */
 static hid_t object_open(hid_t parent, const char *path, H5I_type_t wanted)
 {
     hid_t at = H5Oopen(parent, ".", H5P_DEFAULT);
@@ -598,7 +592,7 @@ hid_t door_group(hid_t parent, const char *path)
     return group;
 }
 
-/* Numbers, or texts of one length: of this file's own, not of a type that it names. */
+/* Accepts numbers, or texts of one length, of a type of this file's own and not a named one. */
 static int type_is_data(hid_t set, int text, size_t *size)
 {
     const hid_t type = H5Dget_type(set);
@@ -611,7 +605,7 @@ static int type_is_data(hid_t set, int text, size_t *size)
     return data;
 }
 
-/* Bytes in this file, in chunks of which one has room in memory. */
+/* Accepts bytes in this file, in chunks of which one fits into memory. */
 static int storage_is_data(hid_t set, size_t size, int rank)
 {
     const hid_t plist = H5Dget_create_plist(set);
@@ -645,7 +639,7 @@ hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims
         }
         double items = 1;
         for (int k = 0; data && k < rank; k++) items *= (double)dims[k];
-        /* what was never written would be made up, and may be any number of bytes */
+        /* unwritten values would be made up, and may be any number of bytes */
         data = data && items <= most && items * (double)size <= SPARE + GROWTH * (double)H5Dget_storage_size(set);
         if (set >= 0 && !data) {
             H5Dclose(set);
@@ -656,7 +650,7 @@ hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims
     return set;
 }
 
-/* An attribute of a class; items: how many there are of it. < 0: there is none. */
+/* Opens an attribute of a class; items: its number of items. < 0: there is none. */
 static hid_t attribute_open(hid_t object, const char *name, hid_t *type, hssize_t *items)
 {
     if (!memory_room(ROOM) || H5Aexists(object, name) <= 0) return -1;
@@ -712,7 +706,7 @@ void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX])
     H5E_END_TRY
 }
 
-/* Numbers, and names, that one set may bring into memory. */
+/* Largest number of numbers, and of names, in one set. */
 static const double numbers_most = 3e8, names_most = 1e7;
 
 void door_close(hid_t group) { H5Gclose(group); }
@@ -740,7 +734,7 @@ double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims)
     return NULL;
 }
 
-/* The letters of format 2, or the texts of one length of format 1. */
+/* Reads the letters of format 2, or the texts of one length of format 1. */
 char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
 {
     hsize_t dims[2] = {0, 0};
@@ -751,7 +745,7 @@ char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
     *n = dims[0];
     const hid_t type = H5Dget_type(set), memory = H5Tcopy(H5T_C_S1);
     const size_t width = H5Tget_size(type) * (letters ? (size_t)dims[1] : 1);
-    *size = width + 1; /* room for a NUL */
+    *size = width + 1; /* with a NUL */
     if (!letters) H5Tset_size(memory, *size);
     char *names = calloc((size_t)*n + 1, *size);
     herr_t code = -1;
@@ -796,7 +790,7 @@ int rows_fill(hid_t parent, const char *name, int rank, const hsize_t *dims, int
 /* Processor time of one reading, s: far above that of the largest results. */
 enum { SECONDS_MOST = 900 };
 
-/* What stands behind the bytes of a work that has come to its end. */
+/* Mark behind the bytes of work that has finished. */
 typedef struct End {
     char mark[16];
     hawser_status status;
@@ -812,7 +806,7 @@ typedef struct Apart {
     pid_t pid;
 } Apart;
 
-/* Before all that the program has registered: that is not this process's to do. */
+/* Exits before the functions that the program has registered, which must not run in this process. */
 static void leave(void) { _exit(1); }
 
 static _Noreturn void child_do(const Apart *a)
@@ -835,8 +829,8 @@ static _Noreturn void child_do(const Apart *a)
     _exit(!whole);
 }
 
-/* Called by HDF5, which is locked meanwhile: no other thread is within it as the process is copied, and the copy, in
- * which there is this thread alone, can go on with it. */
+/* Forks while HDF5 calls it under its lock: no other thread is within HDF5 then, and the copy, which has this thread
+ * alone, can continue with it. */
 static herr_t fork_locked(hid_t list, const char *name, void *data)
 {
     Apart *const a = data;
@@ -846,7 +840,7 @@ static herr_t fork_locked(hid_t list, const char *name, void *data)
     return 1; /* no further property */
 }
 
-/* All that comes out of the pipe: *bytes [*size], malloc'ed; 0: without memory, errno says so. */
+/* Reads everything from the pipe: *bytes [*size], malloc'ed; 0: without memory, errno has the reason. */
 static int pipe_read(int fd, char **bytes, size_t *size)
 {
     size_t room = 0;

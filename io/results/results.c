@@ -1,6 +1,6 @@
-/* Order matters in a results folder. At the start every file is opened, so that trouble shows early; in between files
+/* Order matters in a results folder. At the start every file is opened, so that problems show early; in between files
  * grow and are flushed together, states before the file that points to them; at the end the tables are written,
- * whatever happened, and the first error is the one that is reported. */
+ * whatever happened, and the first error is reported. */
 #include "io/results/results.h"
 
 #include "core/error.h"
@@ -17,19 +17,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* States between two flushes at most; their frames enter results.xdmf together. */
+/* Largest number of states between two flushes; their frames are added to results.xdmf together. */
 enum { PENDING_MAX = 32 };
 /* Wall time between two flushes, s. */
 static const double flush_interval = 0.5;
 
-/* What is opened at the start and filled at the end. */
+/* Files that are opened at the start and filled at the end. */
 enum { STATIONS, ROLLERS, TABLES };
 static const struct {
     const char *file;
     const Columns *columns;
 } tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
 
-/* All that a run may write, and what is made of it; the summary comes last. */
+/* All files of a run, and those derived from it; the summary comes last. */
 enum { RUN_FILES = 11, FOLDER_FILES = 15 };
 static const char *const folder_files[FOLDER_FILES] = {
     "sensitivities.json", "certificate.json", "report.html",   "report.pdf",   "series.csv",
@@ -37,19 +37,19 @@ static const char *const folder_files[FOLDER_FILES] = {
     "positions.csv",      "results.h5",       "states.hawser", "results.xdmf", "summary.json"};
 static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
 
-/* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
+/* Folder within the results folder: the complete results of an earlier run, until those of this one are complete. */
 #define EARLIER "earlier"
-/* Within that, while they move there: what a killed program has left is to be gone on with. */
+/* Mark within that, during the move: a move that was interrupted by a kill is to be continued. */
 #define MOVING "moving"
 
 struct Results {
     OutFile series, tables[TABLES];
     XdmfFile xdmf;
-    H5File *h5; /* NULL: no states wanted */
+    H5File *h5; /* NULL: no states requested */
     OutDir dir;
-    int taken; /* by us, not by our caller */
+    int taken; /* this file took the folder, not its caller */
     Series columns;
-    int n_pending;               /* states that results.xdmf does not know of yet */
+    int n_pending;               /* states that results.xdmf does not have yet */
     double pending[PENDING_MAX]; /* their times, s */
     long states;                 /* in results.h5 */
     double last_flush;
@@ -76,16 +76,15 @@ hawser_status results_spare(const char *dir, const FileMarks *files, hawser_erro
     return s ? s : folder_spare(earlier, files, err);
 }
 
-/* Both files or none: one is of no use without the other. */
+/* Opens both files or none: one is useless without the other. */
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
     const hawser_status status = h5_open(&r->h5, &r->dir, def, err);
     return status ? status : xdmf_open(&r->xdmf, &r->dir, def, err);
 }
 
-/* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
- */
-enum { OLD_ENDS = 6, OLD_BUT_XDMF = 11, OLD_ALL = 12 }; /* the first: what only the end of a run writes */
+/* Old files that this run does not write, or names late: a folder holds the results of one run. */
+enum { OLD_ENDS = 6, OLD_BUT_XDMF = 11, OLD_ALL = 12 }; /* the first: files that only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
     static const char *const names[OLD_ALL] = {
@@ -107,8 +106,8 @@ static int is_there(const OutDir *dir, const char *name)
     return fd >= 0 || errno != ENOENT;
 }
 
-/* Whether the folder's summary is one of a run that was finished: also if it is a file that cannot be read now, so that
- * no good results are lost for that. */
+/* Checks whether the folder's summary is that of a finished run; a file that cannot be read now counts as one, so that
+ * no good results are lost. */
 static int is_finished(const OutDir *dir)
 {
     enum { MOST = 1 << 28, MORE = 1 << 16, TIMES = 24 };
@@ -131,8 +130,8 @@ static int is_finished(const OutDir *dir)
     return finished;
 }
 
-/* Takes what there is of a list of files away from a folder within another one, the last of them first, and the folder
- * if nothing is left in it. */
+/* Removes a list of files from a folder within another one, the last of them first, and the folder if it is empty then.
+ */
 static void files_remove(const OutDir *dir, const char *from, int n, const char *const *files)
 {
     OutDir inner;
@@ -143,8 +142,8 @@ static void files_remove(const OutDir *dir, const char *from, int n, const char 
     folder_remove_in(dir->at, from);
 }
 
-/* Renames what there is of a list of files into another folder. The last one moves when the others have, whatever
- * happens to the machine meanwhile. */
+/* Moves a list of files, where they exist, into another folder. The last one moves after the others, whatever happens
+ * to the machine meanwhile. */
 static hawser_status files_move(const OutDir *to, const OutDir *from, int n, const char *const *files,
                                 hawser_error *err)
 {
@@ -159,7 +158,7 @@ static hawser_status files_move(const OutDir *to, const OutDir *from, int n, con
     return s;
 }
 
-/* An empty EARLIER with its mark, on the disk. */
+/* Makes an empty EARLIER with its mark, on the disk. */
 static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_error *err)
 {
     static const char *const marks[] = {MOVING};
@@ -169,15 +168,15 @@ static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_er
     hawser_status s = out_spot(&spot, dir, EARLIER, err);
     if (!s && !folder_make_in(dir->at, EARLIER)) s = out_error(spot.path, errno, err);
     if (!s && !out_within(earlier, dir, EARLIER)) s = out_error(spot.path, errno, err);
-    if (!s) out_sweep(earlier, 1, marks); /* a program that was killed while it made the mark has left a part of it */
+    if (!s) out_sweep(earlier, 1, marks); /* a program that was killed while making the mark has left a part of it */
     if (!s) s = out_open_in(&mark, earlier, MOVING, err);
     if (!s) s = out_close(&mark, err);
     if (!s) s = out_sync_in(earlier, ".", err);
     return s ? s : out_sync_in(dir, ".", err);
 }
 
-/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. They are in both
- * folders while they move, the summary still where they come from: who finds it so goes on with that. */
+/* Keeps complete results in EARLIER until new ones replace them; others are dropped. During the move they are in both
+ * folders, the summary still in the old one: the next program that finds this continues. */
 static hawser_status earlier_keep(const Results *r, hawser_error *err)
 {
     OutDir earlier;
@@ -195,8 +194,8 @@ static hawser_status earlier_keep(const Results *r, hawser_error *err)
     return s;
 }
 
-/* A folder in which no run has begun, but which has a file by a name that a run writes or takes away: it is somebody's.
- */
+/* Rejects a folder in which no run has begun, but which has a file with the name of one that a run writes or removes:
+ * it is the user's. */
 static hawser_status nobodys_check(const OutDir *dir, hawser_error *err)
 {
     static const char *const more[] = {CHECKPOINT_FILE};
@@ -217,7 +216,7 @@ static hawser_status nobodys_check(const OutDir *dir, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The folder, and the one of earlier results, are a run's or have nothing of it. */
+/* Checks that the folder, and the one of earlier results, belong to a run or have none of its files. */
 static hawser_status ours_check(const OutDir *dir, hawser_error *err)
 {
     OutDir earlier;
@@ -228,7 +227,7 @@ static hawser_status ours_check(const OutDir *dir, hawser_error *err)
     return s;
 }
 
-/* What does not change: the case as it was read, and the route with its theory, where there is one. */
+/* Writes the constant files: the case as it was read, and the route with its theory, where there is one. */
 static hawser_status write_known(const Results *r, const ResultsDef *def, hawser_error *err)
 {
     OutFile out;
@@ -246,7 +245,7 @@ static hawser_status write_known(const Results *r, const ResultsDef *def, hawser
     return status ? status : closed;
 }
 
-/* What the end fills. */
+/* Opens the files that the end fills. */
 static hawser_status open_tables(Results *r, hawser_error *err)
 {
     hawser_status s = HAWSER_OK;
@@ -257,8 +256,8 @@ static hawser_status open_tables(Results *r, hawser_error *err)
     return s;
 }
 
-/* Before anything is written: two runs at once would mix their rows. The summary comes first: a folder whose run is
- * killed says "running", not what the run before had to say. */
+/* Opens everything before anything is written: two runs at once would mix their rows. The summary comes first: a folder
+ * whose run is killed has "running" and not the summary of an earlier run. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
     static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal"};
@@ -278,8 +277,7 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     return s;
 }
 
-/* Whether all that is to be gone on with is there and as it was at the checkpoint: nothing is changed before that is
- * known. */
+/* Checks that all files to be continued exist and are as at the checkpoint; nothing is changed before. */
 static hawser_status resume_check(const Results *r, const ResultsDef *def, const ResultsPosition *at, hawser_error *err)
 {
     hawser_status s = summary_is_of(&r->dir, def->run, err);
@@ -289,7 +287,7 @@ static hawser_status resume_check(const Results *r, const ResultsDef *def, const
     return s;
 }
 
-/* The files that grow go on; the others are as they were. */
+/* Continues the files that grow; the others are complete. */
 static hawser_status resume_all(Results *r, const ResultsDef *def, const ResultsPosition *at, const char *summary,
                                 hawser_error *err)
 {
@@ -306,7 +304,7 @@ static hawser_status resume_all(Results *r, const ResultsDef *def, const Results
     return s;
 }
 
-/* The folder `name` of `home`, or that itself. */
+/* Takes the folder `name` of `home`, or `home` itself. */
 static hawser_status folder_take(Results *r, const OutDir *home, const char *name, int make, hawser_error *err)
 {
     if (!name) {
@@ -317,7 +315,7 @@ static hawser_status folder_take(Results *r, const OutDir *home, const char *nam
     return out_take(&r->dir, home, name, make, err);
 }
 
-/* Nothing stays open after a failure; files that were made by then are left, empty. at: NULL for a new run. */
+/* Leaves nothing open after a failure; files that were made until then stay, empty. at: NULL for a new run. */
 static hawser_status results_begin(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
                                    const ResultsPosition *at, const char *summary, hawser_error *err)
 {
@@ -353,7 +351,7 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
     return series_row(&r->series, &r->columns, s, err);
 }
 
-/* The states first, then the file that points to them. */
+/* Flushes the states first, then the file that points to them. */
 static hawser_status flush_states(Results *r, int must, hawser_error *err)
 {
     if (!r->n_pending && !(must && r->h5)) return HAWSER_OK;
@@ -363,8 +361,7 @@ static hawser_status flush_states(Results *r, int must, hawser_error *err)
     return status;
 }
 
-/* What readers are promised: after this, every row and state is there for them; must: even if one of them is reading.
- */
+/* Makes every row and state visible to readers; must: even if one of them is reading. */
 static hawser_status flush_all(Results *r, int must, hawser_error *err)
 {
     const hawser_status status = out_flush(&r->series, err);
@@ -372,7 +369,7 @@ static hawser_status flush_all(Results *r, int must, hawser_error *err)
     return status ? status : flush_states(r, must, err);
 }
 
-/* Frames wait for results.xdmf until they are flushed; there is room for a fixed number of them. */
+/* Keeps frames for results.xdmf until they are flushed; their number is fixed. */
 hawser_status results_state(Results *r, const hawser_sample *sample, hawser_error *err)
 {
     if (!r->h5) return HAWSER_OK;
@@ -383,7 +380,8 @@ hawser_status results_state(Results *r, const hawser_sample *sample, hawser_erro
     return r->n_pending == PENDING_MAX ? flush_all(r, 0, err) : HAWSER_OK;
 }
 
-/* By wall time: a fast run would spend its time flushing, a slow one would hide its states for minutes. */
+/* Flushes by wall time: otherwise a fast run would spend its time flushing, and a slow one would hide its states for
+ * minutes. */
 hawser_status results_tick(Results *r, hawser_error *err)
 {
     return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, 0, err);
@@ -406,13 +404,13 @@ hawser_status results_checkpoint(const OutDir *dir, const void *bytes, size_t si
 
 void results_no_checkpoint(const OutDir *dir) { out_remove(dir, CHECKPOINT_FILE); }
 
-/* The first error of a sequence that goes on all the same; err is given only to calls before it. */
+/* Keeps the first error of a sequence that continues; err is given only to calls before it. */
 static void keep_first(hawser_status *first, hawser_status status)
 {
     if (!*first) *first = status;
 }
 
-/* Only where there are modes. */
+/* Writes only if there are modes. */
 static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_error *err)
 {
     OutFile out;
@@ -424,7 +422,7 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
     return status ? status : closed;
 }
 
-/* The states say of which series they are, now that it is whole. */
+/* Stores in the states the identity of their series, which is complete now. */
 static hawser_status states_tie(Results *r, hawser_error *err)
 {
     FileSum series;
@@ -432,7 +430,7 @@ static hawser_status states_tie(Results *r, hawser_error *err)
     return status ? status : h5_series(r->h5, series.sum, err);
 }
 
-/* Only where there are positions. */
+/* Writes only if there are positions. */
 static hawser_status write_places(Results *r, const ResultsTables *t, hawser_error *err)
 {
     OutFile out;
@@ -444,7 +442,7 @@ static hawser_status write_places(Results *r, const ResultsTables *t, hawser_err
     return status ? status : closed;
 }
 
-/* A full disk may still have room for the small tables, so every file gets its chance. */
+/* Tries every file: a full disk may still have space for small tables. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
     const int n[TABLES] = {t->n_stations, t->n_rollers};
@@ -466,7 +464,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     return s;
 }
 
-/* The others are on the disk before it says what became of them. */
+/* Puts the other files on the disk before the summary with the outcome. */
 hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err)
 {
     hawser_status s = HAWSER_OK;
@@ -477,7 +475,7 @@ hawser_status results_summary(Results *r, const char *summary, int whole, hawser
     return s;
 }
 
-/* While files change, no summary says that they belong together, and no page or certificate what they say. */
+/* Removes the summary, pages and certificates while files change, since they state that the files belong together. */
 static void summary_withdraw(const OutDir *dir)
 {
     static const char *const names[] = {"summary.json", "certificate.json", "sensitivities.json", "report.html",
@@ -503,8 +501,8 @@ hawser_status results_again(const OutDir *dir, const ResultsTables *t, hawser_er
     return s;
 }
 
-/* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file
- * that it was read from, stays. */
+/* Moves the summary last: its files are there then. Keeps the case of `to`, which is the same, with the lines of the
+ * file that it was read from. */
 hawser_status results_replace(const OutDir *to, const char *from, hawser_error *err)
 {
     OutDir inner;
@@ -516,7 +514,7 @@ hawser_status results_replace(const OutDir *to, const char *from, hawser_error *
     return s;
 }
 
-/* With what a kill leaves, too. */
+/* Also removes what a kill has left. */
 void results_remove(const OutDir *dir, const char *from)
 {
     static const char *const kept[] = {CHECKPOINT_FILE, "results.h5.journal"};
@@ -530,7 +528,7 @@ void results_remove(const OutDir *dir, const char *from)
     files_remove(dir, from, RUN_FILES, run_files);
 }
 
-/* After results_finish only memory is left to free; without it, everything is closed as it stands. */
+/* Frees memory alone after results_finish; without it, closes everything as it is. */
 Results *results_free(Results *r)
 {
     if (!r) return NULL;

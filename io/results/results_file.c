@@ -1,5 +1,5 @@
-/* Text output with nothing left to chance: paths that are too long, folders that are files, disks that fill up, locales
- * with decimal commas. The system's reason is always passed on. */
+/* Checked text output: handles paths that are too long, folders that are files, full disks, locales with decimal
+ * commas. The system's reason is always passed on. */
 #define _GNU_SOURCE /* fopencookie */
 #include "io/results/results_file.h"
 
@@ -22,11 +22,10 @@
 #include "core/error.h"
 #include "core/file.h"
 
-/* Of a file, bytes: more than any row, and than the states that results.xdmf takes at once. */
+/* Buffer of a file, bytes: more than any row, and than the states that results.xdmf takes at once. */
 enum { BUFFER = 1 << 17 };
 
-/* One form for every file, so that a user always learns the same three things: what, where, why. A lack of memory is no
- * fault of the file's. */
+/* Reports the same for every file: action, path, reason. A lack of memory is not reported as an error of the file. */
 hawser_status out_error(const char *path, int number, hawser_error *err)
 {
     if (number == ENOMEM) return error_memory(err);
@@ -41,7 +40,7 @@ hawser_status out_own(hawser_status status, hawser_error *err)
     return HAWSER_ERR_OUTPUT;
 }
 
-/* mkdir of one level; an existing directory is fine, anything else in its place is ENOTDIR. */
+/* Makes one level; an existing directory is accepted, anything else in its place is ENOTDIR. */
 static int make_level(const char *path)
 {
     struct stat info;
@@ -51,7 +50,7 @@ static int make_level(const char *path)
     return S_ISDIR(info.st_mode) ? 0 : ENOTDIR;
 }
 
-/* Levels are made one after the other; one that somebody else makes at the same moment is as good. */
+/* Makes one level after the other; one that another program makes at the same moment is accepted. */
 hawser_status out_make_dir(const char *dir, hawser_error *err)
 {
     char path[OUT_PATH_MAX];
@@ -70,15 +69,15 @@ hawser_status out_make_dir(const char *dir, hawser_error *err)
     return number ? out_error(path, number, err) : HAWSER_OK;
 }
 
-/* The lock is the open folder's: it leaves no file behind, and ends with the program, however that ends. A file system
- * without locks is none of our business. */
+/* Locks the open folder: this leaves no file behind, and ends with the program, however that ends. A file system
+ * without locks is accepted. */
 static hawser_status dir_lock(int fd, const char *path, hawser_error *err)
 {
     if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the folder is in use by another run", path);
 }
 
-/* A doubled slash does no harm. */
+/* A doubled slash is harmless. */
 hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err)
 {
     const int n = snprintf(path, OUT_PATH_MAX, "%s/%s", dir, name);
@@ -87,7 +86,7 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
 
 /* ----------------------------------------------------------------------------------------------------- folders */
 
-/* By any path: the user has named it. */
+/* Opens by any path: the user has named it. */
 static hawser_status path_open(OutDir *dir, const char *path, hawser_error *err)
 {
     dir->at = -1;
@@ -137,7 +136,7 @@ int out_within(OutDir *out, const OutDir *dir, const char *name)
     return out->at >= 0;
 }
 
-/* The system knows what an open folder is called now. */
+/* Compares with the system's present path of the open folder. */
 hawser_status out_stays(const OutDir *dir, hawser_error *err)
 {
     struct stat mine, there;
@@ -176,7 +175,7 @@ void out_sweep(const OutDir *dir, int n, const char *const *names)
 
 static int fd_of(void *cookie) { return (int)(size_t)cookie - 1; }
 
-/* All of it, unlike stdio's own, whose error at an interruption cannot be told from a loss. */
+/* Writes all bytes; stdio's own function does not distinguish an interruption from a loss. */
 static ssize_t stream_write(void *cookie, const char *from, size_t size)
 {
     size_t done = 0;
@@ -197,7 +196,7 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
 
 static int stream_close(void *cookie) { return close(fd_of(cookie)); }
 
-/* What is open as fd keeps its first `size` bytes, and goes on behind them; 0 with errno. */
+/* Cuts the open file fd to its first `size` bytes, and continues behind them; 0 with errno. */
 static int cut_to(int fd, long size)
 {
     struct stat info;
@@ -206,7 +205,7 @@ static int cut_to(int fd, long size)
     return info.st_size >= size && !ftruncate(fd, size) && lseek(fd, size, SEEK_SET) == size;
 }
 
-/* What is open as fd as a stream for writing, with a buffer; NULL with errno, and it is closed. */
+/* Returns the open file fd as a stream for writing, with a buffer; NULL with errno, and it is closed. */
 static FILE *stream_of(int fd, char *buffer)
 {
     FILE *const f =
@@ -219,10 +218,10 @@ static FILE *stream_of(int fd, char *buffer)
     return f;
 }
 
-/* How a file is opened: a new one that has its name at once or late; or the one that is there. */
+/* Ways to open a file: a new one that has its name at once or late; or the existing one. */
 typedef enum OpenHow { OPEN_NOW, OPEN_LATE, OPEN_THERE } OpenHow;
 
-/* A descriptor; < 0 with errno. */
+/* Returns a descriptor; < 0 with errno. */
 static int descriptor_open(OutFile *out, OpenHow how, long size)
 {
     const OutSpot *const spot = &out->spot;
@@ -239,7 +238,7 @@ static int descriptor_open(OutFile *out, OpenHow how, long size)
     return ok ? fd : -1;
 }
 
-/* Gives up what out_begin made; returns errno's value of a close that failed. */
+/* Releases everything of out_begin; returns errno's value of a failed close. */
 static int out_release(OutFile *out)
 {
     errno = 0;
@@ -252,7 +251,7 @@ static int out_release(OutFile *out)
     return number;
 }
 
-/* A new file that has not got its name is taken away. */
+/* Removes a new file that has no name yet. */
 static void part_drop(OutFile *out)
 {
     const int number = errno;
@@ -261,7 +260,7 @@ static void part_drop(OutFile *out)
     errno = number;
 }
 
-/* The locale is made for each file: there is no place for a shared one. size: of OPEN_THERE. */
+/* Makes a locale for each file: no place exists for a shared one. size: for OPEN_THERE. */
 static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name, OpenHow how, long size,
                                hawser_error *err)
 {
@@ -323,7 +322,7 @@ static hawser_status spot_sync(const OutSpot *spot, const char *name, hawser_err
 {
     errno = 0;
     const int itself = !strcmp(name, "."), fd = itself ? spot->at : file_open_in(spot->at, name, O_RDONLY);
-    const int ok = fd >= 0 && (!fsync(fd) || errno == EINVAL); /* where there is nothing to be written through */
+    const int ok = fd >= 0 && (!fsync(fd) || errno == EINVAL); /* the folder may not support it */
     const int number = errno;
     if (fd >= 0 && !itself) close(fd);
     return ok ? HAWSER_OK : out_error(spot->path, number, err);
@@ -336,7 +335,7 @@ hawser_status out_sync_in(const OutDir *dir, const char *name, hawser_error *err
     return status ? status : spot_sync(&spot, name, err);
 }
 
-/* The locale is the thread's, and only for the duration of the call. */
+/* Switches the thread's locale, only for the duration of the call. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...)
 {
     assert(out->f);
@@ -366,7 +365,7 @@ hawser_status out_end_row(OutFile *out, hawser_error *err)
     return !status && __fpending(out->f) > BUFFER / 2 ? out_flush(out, err) : status;
 }
 
-/* As far as the system's cache: it survives the program, not the machine. */
+/* Flushes to the system's cache: this survives the program, not the machine. */
 hawser_status out_flush(OutFile *out, hawser_error *err)
 {
     errno = 0;
@@ -375,7 +374,7 @@ hawser_status out_flush(OutFile *out, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Closing is the last chance to learn that a write failed. */
+/* Reports a failed write for the last time. */
 hawser_status out_close(OutFile *out, hawser_error *err)
 {
     if (!out->f) return HAWSER_OK;
@@ -394,7 +393,7 @@ hawser_status out_name_in(const OutDir *dir, const char *part, const char *name,
     return status;
 }
 
-/* The name, too, is on the disk then. */
+/* Puts the name, too, on the disk. */
 hawser_status out_named(OutFile *out, const OutDir *dir, hawser_status status, hawser_error *err)
 {
     const hawser_status closed = out_close(out, status ? NULL : err);
@@ -442,17 +441,17 @@ hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_
     return status;
 }
 
-/* The files of a folder in a few digits each: what a summary says of them. */
+/* Hashes of the files of a folder in a few digits each, for a summary. */
 
 const char *const sum_files[FILE_SUMS_MAX] = {"series.csv", "stations.csv", "rollers.csv",   "inputs.csv",
                                               "route.csv",  "modes.csv",    "positions.csv", "results.xdmf"};
 
-/* Bytes that are summed at a time. */
+/* Bytes that are hashed at a time. */
 enum { BLOCK = 1 << 18 };
 
 void sum_text(char text[SUM_SIZE], uint64_t sum) { snprintf(text, SUM_SIZE, "%016" PRIx64, sum); }
 
-/* The sum of each block goes into that of all, up to so many bytes (< 0: all). Errors: INPUT, MEMORY. */
+/* Combines the hash of each block, up to so many bytes (< 0: all). Errors: INPUT, MEMORY. */
 static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum *sum, hawser_error *err)
 {
     uint64_t all = 0;
@@ -488,14 +487,15 @@ hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser
     return read;
 }
 
-/* What stands behind a file's own bytes: a mark, and their sum. */
+/* End of a sealed file: a mark, and the hash of the bytes before it. */
 typedef struct Seal {
     char mark[16], sum[SUM_SIZE - 1];
 } Seal;
 
 static const char seal_mark[16] = "hawser: sum of\n";
 
-/* The bytes before a file's seal, *size; < 0: it has none. 0: errno says why nobody knows. */
+/* Returns the number of bytes before a file's seal, *size; < 0: it has none. Returns 0 with errno if it cannot be read.
+ */
 static int seal_read(int fd, Seal *seal, long *size)
 {
     struct stat info;
@@ -531,7 +531,7 @@ void file_unseal(const OutDir *dir, const char *name)
     Seal seal;
     const int fd = file_open_in(dir->at, name, O_RDWR);
     long size = -1;
-    /* where that fails the bytes are passed over as before, and the next seal is behind them */
+    /* if that fails the old seal is ignored as before, and the next one is behind it */
     if (fd >= 0 && seal_read(fd, &seal, &size) && size >= 0 && ftruncate(fd, size)) errno = 0;
     if (fd >= 0) close(fd);
 }
@@ -566,7 +566,7 @@ hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX],
     return status;
 }
 
-/* What is written of a sample: the rows of one table are the columns of series.csv and the sets of results.h5. */
+/* Written parts of a sample: the rows of one table are the columns of series.csv and the sets of results.h5. */
 
 /* A value of the sample itself. */
 #define VALUE(member) .offset = offsetof(hawser_sample, member)
@@ -591,7 +591,7 @@ const SampleColumn sample_column[] = {
     {"paid_out_m", VALUE(paid_out), .of = OF_REEL},
     {"wound_m", VALUE(wound), .of = OF_REEL},
     {"speed_*_m_per_s", ITEMS(axial_speed), .of = OF_SEGMENT, .per = PER_SEGMENT, .frame = "axial_speed"},
-    /* of the joint ahead of the segment */
+    /* at the joint ahead of the segment */
     {"tension_*_N", ITEMS(tension), .of = OF_SEGMENT, .start = sizeof(double), .set = "tension", .unit = "N",
      .about = "axial force of joint j, between segments j-1 and j", .per = PER_JOINT, .frame = "tension"},
     {"*", MEMBER(figure, hawser_figure, value), .of = OF_FIGURE},
@@ -624,14 +624,14 @@ const SampleColumn sample_column[] = {
 
 const int sample_columns = sizeof sample_column / sizeof *sample_column;
 
-/* How many things there are of which a column is written. */
+/* Returns the number of items for which a column is written. */
 static int items_of(const ResultsDef *def, SampleOf of)
 {
     const int n[] = {1, def->front, def->reel, def->n_watched, def->figures, def->probes, def->n_loads};
     return n[of];
 }
 
-/* The name of the i-th figure: its machine's and its own. */
+/* Writes the name of the i-th figure: its machine's and its own. */
 static void figure_name(const ResultsDef *def, int i, char name[SERIES_NAME_MAX])
 {
     const hawser_machine *m = def->machine;
@@ -639,7 +639,7 @@ static void figure_name(const ResultsDef *def, int i, char name[SERIES_NAME_MAX]
     snprintf(name, SERIES_NAME_MAX, "%s_%s", m->name, m->now[i].key);
 }
 
-/* The name of the i-th, or its number where it has none; returns its place in the sample's arrays. */
+/* Writes the name of the i-th item, or its number where it has none; returns its place in the sample's arrays. */
 static int item_of(const ResultsDef *def, SampleOf of, int i, char name[SERIES_NAME_MAX])
 {
     const int index = of == OF_SEGMENT ? def->watched[i] : of == OF_ROLLER ? def->loads[i] : i;
@@ -650,7 +650,7 @@ static int item_of(const ResultsDef *def, SampleOf of, int i, char name[SERIES_N
     return index;
 }
 
-/* The column's name for an item, with the item's in place of the star and the axis' in place of the @. */
+/* Writes the column's name for an item, with the item's in place of the star and the axis' in place of the @. */
 static void series_name(const char *pattern, const char *item, int axis, char *name)
 {
     size_t n = 0;
@@ -662,10 +662,10 @@ static void series_name(const char *pattern, const char *item, int axis, char *n
     name[n < SERIES_NAME_MAX ? n : SERIES_NAME_MAX - 1] = 0;
 }
 
-/* How many columns there are of each item. */
+/* Returns the number of columns of each item. */
 static int axes_of(const SampleColumn *c) { return !c->name ? 0 : strchr(c->name, '@') ? 3 : 1; }
 
-/* The columns of one item of a kind, in the table's order. */
+/* Adds the columns of one item of a kind, in the table's order. */
 static void series_add(Series *series, const ResultsDef *def, SampleOf of, int i)
 {
     char item[SERIES_NAME_MAX];
@@ -680,7 +680,7 @@ static void series_add(Series *series, const ResultsDef *def, SampleOf of, int i
     }
 }
 
-/* Item by item, so that what belongs to one stands together. */
+/* Adds item by item, so that the columns of one are together. */
 hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *err)
 {
     int room = 0;
@@ -710,7 +710,7 @@ hawser_status series_head(OutFile *out, const Series *series, hawser_error *err)
     return status ? status : out_flush(out, err);
 }
 
-/* Nine digits show more than the integrator knows. The step needs fewer. */
+/* Writes nine digits, more than the integrator's accuracy. The step needs fewer. */
 hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;

@@ -15,7 +15,7 @@
 #include "def/scene_def.h"
 #include "io/results/results_file.h"
 
-/* Bytes from which on a set that is written once is compressed. */
+/* Size in bytes from which on a constant set is compressed. */
 enum { DEFLATE_ABOVE = 1 << 14 };
 
 int h5_text(hid_t object, const char *name, const char *text)
@@ -49,7 +49,7 @@ hid_t h5_group(hid_t parent, const char *path)
 
 void h5_leave(hid_t group) { H5Gclose(group); }
 
-/* One chunk, shuffled and deflated, for a set of so many items of a type; the default for small ones. */
+/* Returns one chunk, shuffled and deflated, for a set of so many items of a type; the default for small ones. */
 static hid_t whole_chunk(hid_t file_type, int rank, const hsize_t *dims)
 {
     const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
@@ -62,7 +62,7 @@ static hid_t whole_chunk(hid_t file_type, int rank, const hsize_t *dims)
     return plist;
 }
 
-/* A set that is left open; < 0 if it could not be written. */
+/* Writes a set and leaves it open; < 0 if it could not be written. */
 static hid_t set_new(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
                      const void *values, hid_t plist)
 {
@@ -78,7 +78,7 @@ static hid_t set_new(hid_t parent, const char *name, hid_t file_type, hid_t type
     return set;
 }
 
-/* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
+/* Writes a whole constant set from memory of type `type`; groups on its path are made. */
 static int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
                   const void *values)
 {
@@ -87,7 +87,7 @@ static int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, i
     return set >= 0;
 }
 
-/* Names: char[n][NAME_MAX_LENGTH], letter by letter as netCDF has texts (its library frees what is not its own with
+/* Writes names: char[n][NAME_MAX_LENGTH], letter by letter like netCDF's texts (its library frees memory of others with
  * sets of texts of one length). */
 static int h5_names(hid_t parent, const char *name, int n, const void *values)
 {
@@ -97,13 +97,13 @@ static int h5_names(hid_t parent, const char *name, int n, const void *values)
 
 /* ------------------------------------------------------------------------------------------------ dimension scales */
 
-/* What a scale is used by: a set, and which of its dimensions. */
+/* A use of a scale: a set, and one of its dimensions. */
 typedef struct ScaleUse {
     hobj_ref_t set;
     unsigned dimension;
 } ScaleUse;
 
-/* The scale of each dimension, as a list of one reference, or of none; HDF5 has the list's form. */
+/* Stores the scale of each dimension, as a list of one reference, or of none; HDF5 defines the list's form. */
 static int axes_name(hid_t set, const SetAxisUse *use, hobj_ref_t scale[])
 {
     hvl_t list[AXES_MOST];
@@ -119,7 +119,7 @@ static int axes_name(hid_t set, const SetAxisUse *use, hobj_ref_t scale[])
     return ok;
 }
 
-/* Which sets a scale is of, in the scale. */
+/* Stores in a scale the sets that use it. */
 static int uses_name(hid_t scale, const ScaleUse *use, int n)
 {
     const hsize_t count = (hsize_t)n;
@@ -134,7 +134,7 @@ static int uses_name(hid_t scale, const ScaleUse *use, int n)
     return ok;
 }
 
-/* A set that this run has written, of numbers or of letters. */
+/* Opens a set that this run has written, of numbers or of letters. */
 static hid_t own_set(hid_t file, const char *name, int rank)
 {
     hsize_t dims[3];
@@ -142,8 +142,8 @@ static hid_t own_set(hid_t file, const char *name, int rank)
     return set >= 0 ? set : door_set(file, name, 1, rank, dims, INFINITY);
 }
 
-/* A scale's own set; one that is there already (the times) is taken. Without a meaning of its own ("plain") it is what
- * netCDF has for a dimension without a variable. */
+/* Opens a scale's own set; an existing one (the times) is used. Without a meaning of its own ("plain") it has netCDF's
+ * form for a dimension without a variable. */
 static hid_t scale_open(hid_t file, const SetAxis *axis)
 {
     char name[80];
@@ -161,7 +161,7 @@ static hid_t scale_open(hid_t file, const SetAxis *axis)
     return -1;
 }
 
-/* Makes scales of the axes and names them in the sets, in both directions, as HDF5's library of scales has it. */
+/* Makes scales of the axes and stores them in the sets, in both directions, like HDF5's library of scales. */
 static int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use)
 {
     ScaleUse list[AXIS_USES_MOST];
@@ -204,7 +204,7 @@ int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, con
     return h5_set(parent, name, H5T_STD_I32LE, H5T_NATIVE_INT, rank, dims, values);
 }
 
-/* One set of a table, with its unit and what it is. */
+/* Writes one set of a table, with its unit and its description. */
 static int fixed_write(hid_t parent, const char *path, const FixedSet *set, int n, const void *values)
 {
     const hid_t in_file[] = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_I32LE, H5T_C_S1};
@@ -232,57 +232,57 @@ int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const
     return ok;
 }
 
-/* Every set is a row of the table of a sample's columns (series.c). Sets grow by one row a
- * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
- * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
- * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
+/* Every set is a row of the table of a sample's columns (series.c). Sets grow by one row a state; a chunk is one row,
+ * so that each state is written once and nothing is read back. In addition, a group for each state keeps the data for
+ * results.xdmf in single precision, as small sets of their own: meshio reads whole sets only. HDF5's handles are closed
+ * on every path; calls on an invalid handle fail without harm. */
 
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 
-enum { CONVERSION = 64 << 10 }; /* bytes in which HDF5 turns doubles into floats: its 1 MB is cleared at each write */
+enum { CONVERSION = 64 << 10 }; /* bytes of HDF5's buffer for conversions: its own 1 MB is cleared at each write */
 
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
 
-/* HDF5 does not survive an allocation that fails: it reads through NULL, or ends the program. So it is asked before
- * whether there is memory for what it may take until it returns, bytes and bytes a segment or roller
- * (docs/reliability.md), and as much is kept for closing the file. */
+/* HDF5 does not survive a failed allocation: it reads through NULL, or ends the program. So each call checks first
+ * whether there is memory for what HDF5 may take, bytes, and bytes a segment or roller (docs/reliability.md has
+ * measured values), and as much is reserved for closing the file. */
 enum { ROOM = 4 << 20, ROOM_EACH = 256 };
 
 struct H5File {
-    hid_t file, frames, driver; /* <= 0: not there */
-    int fd;                     /* that of the file; < 0: none */
-    hid_t *set;                 /* [sample_columns]; 0: not there (a scene without rollers) */
+    hid_t file, frames, driver; /* <= 0: does not exist */
+    int fd;                     /* descriptor of the file; < 0: none */
+    hid_t *set;                 /* [sample_columns]; 0: does not exist (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
     DiskWords disk;
-    size_t room;   /* bytes that HDF5 must find when it is entered */
-    void *reserve; /* [room] given back when the file is closed */
+    size_t room;   /* bytes of memory that HDF5 needs in a call */
+    void *reserve; /* [room] freed before the file is closed */
     float *frame;  /* [3*segments] scratch of the frames */
     OutSpot spot;
 };
 
-/* HAWSER_OK: HDF5 can be entered. */
+/* Returns HAWSER_OK if HDF5 has enough memory. */
 static hawser_status h5_room(const H5File *h, hawser_error *err)
 {
     return memory_room(h->room) ? HAWSER_OK : error_memory(err);
 }
 
-/* The result of a call: what HDF5 says and what the disk said. */
+/* Returns the result of a call: of HDF5 and of the disk. */
 static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
 {
     return ok && !h->disk.error ? HAWSER_OK : out_error(h->spot.path, h->disk.error, err);
 }
 
-/* How many items a row of this kind has in this scene. */
+/* Returns the number of items in a row of this kind in this scene. */
 static hsize_t item_count(const H5File *h, SamplePer per)
 {
     const hsize_t n = (hsize_t)h->segments;
     return per == PER_RUN ? 1 : per == PER_SEGMENT ? n : per == PER_JOINT ? n + 1 : (hsize_t)h->rollers;
 }
 
-/* Dimensions of a set with `rows` rows; returns the rank. */
+/* Sets the dimensions of a set with `rows` rows; returns the rank. */
 static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsize_t dims[3])
 {
     dims[0] = rows;
@@ -293,7 +293,7 @@ static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsi
 
 static int deflate_there(void) { return H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0; }
 
-/* Chunks of one row (many, for single numbers); if wanted, shuffled and lightly deflated. */
+/* Makes chunks of one row (many, for single numbers); on request, shuffled and lightly deflated. */
 static hid_t make_chunks(int deflate, int rank, const hsize_t *dims)
 {
     hsize_t chunk[3] = {rank == 1 ? TIME_CHUNK : 1, dims[1], dims[2]};
@@ -306,15 +306,15 @@ static hid_t make_chunks(int deflate, int rank, const hsize_t *dims)
     return plist;
 }
 
-/* Whether the states are worth compressing: it halves them, but takes longer than writing a small file
- * plainly. */
+/* Checks whether the states are to be compressed: it halves them, but takes longer than writing a small file plainly.
+ */
 static int wants_deflate(const ResultsDef *def)
 {
     const double bytes = def->states * 14 * 8 * def->segments;
     return bytes > deflate_above && deflate_there();
 }
 
-/* An empty set that grows row by row. */
+/* Makes an empty set that grows row by row. */
 static int make_set(H5File *h, int k)
 {
     const SampleColumn *const info = &sample_column[k];
@@ -333,7 +333,7 @@ static int make_set(H5File *h, int k)
     return h5_text(set, "units", info->unit) && h5_text(set, "description", info->about);
 }
 
-/* Which points every line element of the polyline joins: [segments-1][2]. */
+/* Writes the points that every line element of the polyline joins: [segments-1][2]. */
 static int write_connectivity(H5File *h)
 {
     const hsize_t dims[2] = {(hsize_t)h->segments - 1, 2};
@@ -349,7 +349,7 @@ static int write_connectivity(H5File *h)
     return ok;
 }
 
-/* Names and places of the rollers. */
+/* Writes names and places of the rollers. */
 static int write_rollers(H5File *h, const ResultsDef *def)
 {
     const hsize_t n = (hsize_t)def->rollers;
@@ -369,7 +369,7 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     return ok;
 }
 
-/* The dimensions of what grows, by name: netCDF and xarray put sets together by them. */
+/* Writes the dimensions of growing sets, by name: netCDF and xarray combine sets by them. */
 static int write_axes(const H5File *h)
 {
     enum { AXIS_TIME, AXIS_SEGMENT, AXIS_JOINT, AXIS_ROLLER, AXIS_XYZ, AXIS_WXYZ, AXIS_LETTER, AXES };
@@ -397,8 +397,8 @@ static int write_axes(const H5File *h)
     return h5_axes(h->file, AXES, axis, n, use);
 }
 
-/* A file on the driver that never fails in HDF5's eyes, a new one or the one that is there; < 0 if there is none. The
- * latter is not changed before disk.live. */
+/* Opens a file, a new or the existing one, on the driver that never fails for HDF5; < 0 if there is none. An existing
+ * one is not changed before disk.live. */
 static hid_t driven_file(H5File *h, int resume)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -414,7 +414,7 @@ static hid_t driven_file(H5File *h, int resume)
     return file;
 }
 
-/* The empty file, with everything that does not change. */
+/* Makes the empty file, with all constant sets. */
 static int make_file(H5File *h, const ResultsDef *def)
 {
     const hid_t file = driven_file(h, 0);
@@ -439,7 +439,7 @@ static int make_file(H5File *h, const ResultsDef *def)
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 
-/* Sizes and memory, without a file. */
+/* Allocates sizes and memory, without a file. */
 static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
     H5File *const h = *out = calloc(1, sizeof *h);
@@ -458,7 +458,7 @@ static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *d
     return status;
 }
 
-/* Flushed at once, so that a full disk shows before anything is computed. The file gets its name once it is whole: a
+/* Flushes at once, so that a full disk shows before anything is computed. The file gets its name once it is complete: a
  * kill before that leaves none. */
 hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
@@ -485,7 +485,7 @@ hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, ha
     return HAWSER_OK;
 }
 
-/* A set that has the rows to go on behind; < 0: there is none. */
+/* Opens a set with the rows to continue from; < 0: there is none. */
 static hid_t set_found(const H5File *h, hid_t file, int k)
 {
     const SampleColumn *const info = &sample_column[k];
@@ -504,7 +504,7 @@ static int set_is_written(const H5File *h, int k)
     return sample_column[k].set && item_count(h, sample_column[k].per) > 0;
 }
 
-/* Whether addresses in the file count from its first byte, as in a run's: HDF5 corrects others, and fails later. */
+/* Checks that addresses in the file count from its first byte, as in a run's: HDF5 corrects others, and fails later. */
 static int counts_from_start(int fd)
 {
     static const unsigned char zero[8];
@@ -513,7 +513,7 @@ static int counts_from_start(int fd)
     return !memcmp(head + (head[8] < 2 ? 24 : 12), zero, sizeof zero); /* by the superblock's version */
 }
 
-/* Whether a file has what it takes to go on with it. */
+/* Checks that a file can be continued. */
 static int file_fits(const H5File *h, hid_t file, const char *run)
 {
     int ok = counts_from_start(h->fd) && states_belong(file, run, NULL);
@@ -527,7 +527,7 @@ static int file_fits(const H5File *h, hid_t file, const char *run)
     return ok && frames >= 0;
 }
 
-/* A set that is there keeps its first rows. */
+/* Cuts an existing set to its first rows. */
 static int set_resume(H5File *h, int k)
 {
     hsize_t dims[3];
@@ -538,7 +538,7 @@ static int set_resume(H5File *h, int k)
     return H5Dset_extent(h->set[k], dims) >= 0;
 }
 
-/* Frames are numbered by their states. */
+/* Finds the frames, which are numbered by their states. */
 static int frames_resume(H5File *h)
 {
     H5G_info_t info;
@@ -553,7 +553,7 @@ static int frames_resume(H5File *h)
     return ok;
 }
 
-/* All that is changed before the first new state. */
+/* Makes all changes before the first new state. */
 static int file_cut(H5File *h)
 {
     int ok = frames_resume(h);
@@ -563,7 +563,7 @@ static int file_cut(H5File *h)
     return ok;
 }
 
-/* What is changed in a file of which not all can be changed does not reach it. */
+/* Keeps changes of a file from the disk unless all of them succeed. */
 static int file_resume(H5File *h, const char *run)
 {
     h->file = driven_file(h, 1);
@@ -600,7 +600,7 @@ hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, 
     return HAWSER_OK;
 }
 
-/* Row `rows` of one set. */
+/* Appends row `rows` of one set. */
 static int append_row(H5File *h, int k, const hawser_sample *sample)
 {
     hsize_t dims[3], start[3] = {h->rows, 0, 0}, count[3];
@@ -619,7 +619,7 @@ static int append_row(H5File *h, int k, const hawser_sample *sample)
     return ok;
 }
 
-/* One array of a frame in single precision. Of joints only those between two segments. */
+/* Writes one array of a frame in single precision. Joints are only those between two segments. */
 static int write_frame_set(H5File *h, hid_t group, const SampleColumn *column, const hawser_sample *sample)
 {
     const int joints = column->per == PER_JOINT, n = joints ? h->segments - 1 : h->segments;
@@ -630,7 +630,7 @@ static int write_frame_set(H5File *h, hid_t group, const SampleColumn *column, c
     return h5_set(group, column->frame, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
-/* The copy that results.xdmf points to. */
+/* Writes the copy that results.xdmf points to. */
 static int write_frame(H5File *h, const hawser_sample *s)
 {
     char name[FRAMES_NAME];
@@ -645,7 +645,7 @@ static int write_frame(H5File *h, const hawser_sample *s)
     return ok;
 }
 
-/* The time, which is the first column, comes last: a state is there once it has one. */
+/* Appends the time, which is the first column, last: a state is valid once it has one. */
 static int append_state(H5File *h, const hawser_sample *s)
 {
     int ok = 1;
@@ -653,7 +653,7 @@ static int append_state(H5File *h, const hawser_sample *s)
     return ok && write_frame(h, s) && append_row(h, 0, s);
 }
 
-/* All sets grow by one row; if the disk says no, the rows before stay. */
+/* Appends a row to all sets; if the disk fails, the rows before remain. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err)
 {
     int ok = 0;
@@ -685,7 +685,7 @@ hawser_status h5_series(H5File *h, const char *sum, hawser_error *err)
     return h5_result(h, ok, err);
 }
 
-/* HDF5 keeps chunks and metadata back until this. */
+/* Flushes chunks and metadata, which HDF5 keeps until then. */
 hawser_status h5_flush(H5File *h, int must, hawser_error *err)
 {
     herr_t code = -1;
@@ -698,8 +698,8 @@ hawser_status h5_flush(H5File *h, int must, hawser_error *err)
     return h5_result(h, code >= 0, err);
 }
 
-/* HDF5 that could not close a file ends the program with a fault as it exits (H5D_close): what it has registered for
- * then is not run. */
+/* Exits without the functions that HDF5 has registered: after a failed close they would crash the program (H5D_close).
+ */
 static void leave(int status, void *user)
 {
     (void)user;
@@ -713,7 +713,7 @@ static void leave_without_hdf5(void)
     if (!atomic_flag_test_and_set(&known)) on_exit(leave, NULL);
 }
 
-/* NULL is fine. The handle is gone afterwards, also after an error. */
+/* Accepts NULL. The handle is gone afterwards, also after an error. */
 hawser_status h5_close(H5File **file, hawser_error *err)
 {
     H5File *h = *file;
@@ -723,11 +723,11 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     free(h->reserve);
     if (h->file > 0) {
         herr_t code = -1;
-        /* the strong close degree takes the sets and the group along */
+        /* the strong close degree closes the sets and the group too */
         H5E_BEGIN_TRY { code = H5Fclose(h->file); }
         H5E_END_TRY
         status = h5_result(h, code >= 0, err);
-        /* a file that HDF5 would not close may still ask for what it is told: better lost than read after free */
+        /* HDF5 may still use the data of a file that it could not close: a leak is better than a read after free */
         if (code < 0) {
             leave_without_hdf5();
             return status;
@@ -741,8 +741,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------- whether it can be gone on with
- */
+/* ------------------------------------------------------------------------------------- check before continuing */
 
 typedef struct Rehearsal {
     const OutDir *dir;
@@ -750,7 +749,7 @@ typedef struct Rehearsal {
     long rows;
 } Rehearsal;
 
-/* All that will be done to the file until its next state, which does not reach it; prints why it cannot be. */
+/* Makes all changes to the file up to its next state without writing them; prints why it fails. */
 static hawser_status rehearse(void *user, FILE *out, hawser_error *err)
 {
     const Rehearsal *const r = user;
@@ -784,7 +783,7 @@ static hawser_status rehearse(void *user, FILE *out, hawser_error *err)
             fputs("it has not the states of the checkpoint", out);
     }
     H5E_END_TRY
-    /* what HDF5 cannot close ends the program with a fault as it exits */
+    /* a file that HDF5 cannot close would crash the program as it exits */
     if (h5_close(&h, NULL)) fputs("it cannot be closed", out);
     free(zero);
     return status;
@@ -824,8 +823,8 @@ hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows,
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
 }
 
-/* The file is rewritten from its last state on with every call, in one piece: a reader, or a kill, meets a whole
- * document. The geometry is a tree, which readers of time series pass over. */
+/* Rewrites the file from its last state on with every call, in one piece: after a kill, and for readers, it is a
+ * complete document. The geometry is a tree, which readers of time series ignore. */
 
 static const char head[] = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                            "<!-- The chain of segment centres, from the tail to the winch; SI units. -->\n"
@@ -836,7 +835,7 @@ static const char states[] = "  <Grid Name=\"cable\" GridType=\"Collection\" Col
 
 static const char tail[] = "  </Grid>\n </Domain>\n</Xdmf>\n";
 
-/* Closing tags over everything after x->end. */
+/* Writes the closing tags over everything after x->end. */
 static hawser_status write_tail(XdmfFile *x, hawser_error *err)
 {
     hawser_status status = out_print(&x->out, err, "%s", tail);
@@ -844,8 +843,8 @@ static hawser_status write_tail(XdmfFile *x, hawser_error *err)
     return status;
 }
 
-/* An array of results.h5: rows of `width` numbers (0: one, without a dimension of its own), floats or ints of so many
- * bytes. */
+/* Writes a reference to an array of results.h5: rows of `width` numbers (0: one, without a dimension of its own),
+ * floats or ints of so many bytes. */
 static hawser_status write_item(XdmfFile *x, int rows, int width, int floats, int bytes, const char *group,
                                 const char *set, hawser_error *err)
 {
@@ -857,7 +856,7 @@ static hawser_status write_item(XdmfFile *x, int rows, int width, int floats, in
                      rows, columns, floats ? "Float" : "Int", bytes, group, set);
 }
 
-/* The beginning of a grid of `cells` cells, whose points are in `connectivity`, [cells][corners]. */
+/* Begins a grid of `cells` cells, whose points are in `connectivity`, [cells][corners]. */
 static hawser_status begin_grid(XdmfFile *x, const char *name, const char *type, int cells, int corners,
                                 const char *connectivity, hawser_error *err)
 {
@@ -869,7 +868,7 @@ static hawser_status begin_grid(XdmfFile *x, const char *name, const char *type,
     return s ? s : out_print(&x->out, err, "    </Topology>\n");
 }
 
-/* The points of a grid, [points][3]. */
+/* Writes the points of a grid, [points][3]. */
 static hawser_status write_points(XdmfFile *x, int points, int bytes, const char *group, const char *set,
                                   hawser_error *err)
 {
@@ -878,7 +877,7 @@ static hawser_status write_points(XdmfFile *x, int points, int bytes, const char
     return s ? s : out_print(&x->out, err, "    </Geometry>\n");
 }
 
-/* A field on points or on cells. */
+/* Writes a field on points or on cells. */
 static hawser_status write_field(XdmfFile *x, const char *name, int on_cells, int rows, int width, int floats,
                                  int bytes, const char *group, const char *set, hawser_error *err)
 {
@@ -909,7 +908,7 @@ static hawser_status write_skin(XdmfFile *x, const Skin *skin, hawser_error *err
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
-/* What stands around the cable at all times. */
+/* Writes the constant equipment around the cable. */
 static hawser_status write_geometry(XdmfFile *x, const Geometry *g, hawser_error *err)
 {
     hawser_status s = out_print(&x->out, err, "  <Grid Name=\"geometry\" GridType=\"Tree\">\n");
@@ -926,7 +925,7 @@ hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, h
     x->sizes = g != NULL;
     hawser_status status = out_open_in(&x->out, dir, "results.xdmf", err);
     if (status) return status;
-    /* one write a call, so that a reader (or a kill) meets a complete document */
+    /* one write a call, so that the document is complete for readers and after a kill */
     setvbuf(x->out.f, NULL, _IOFBF, 1 << 16);
     status = out_print(&x->out, err, "%s", head);
     if (!status && g && (g->n_route > 1 || g->skin.n_triangles > 0)) status = write_geometry(x, g, err);
@@ -952,8 +951,8 @@ hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def,
     return write_tail(x, err);
 }
 
-/* The grid of one state: cells join neighbouring centres, so that what joint 1..n-1 has is theirs. The position is
- * there once more as data, for readers that keep the first frame's points. */
+/* Writes the grid of one state: cells join neighbouring centres, so that data of joints 1..n-1 belong to them. The
+ * position is repeated as data, for readers that keep the first frame's points. */
 static hawser_status results_xdmf_write_frame(XdmfFile *x, long frame, double t, hawser_error *err)
 {
     const int n = x->segments;
@@ -972,7 +971,7 @@ static hawser_status results_xdmf_write_frame(XdmfFile *x, long frame, double t,
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
-/* The closing tags are overwritten by the new states and written again behind them. */
+/* Overwrites the closing tags by the new states and writes them again behind. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err)
 {
     errno = 0;
@@ -982,10 +981,10 @@ hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawse
     if (status) return status;
     const long end = ftell(x->out.f);
     status = write_tail(x, err);
-    /* a state that did not get out in full is written over by the next */
+    /* an incomplete state is overwritten by the next */
     if (!status) x->end = end;
     return status;
 }
 
-/* Nothing is missing at the end, since every call left a whole document. */
+/* Only closes: every call leaves a complete document. */
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err) { return out_close(&x->out, err); }

@@ -1,7 +1,7 @@
-/* The states of a run in a build without HDF5: a file of records, one behind the other, which hawser's report reads and
- * nothing else. A record is a head, its path with zeros up to eight bytes, and its values in the same way, as the
- * machine has them. A set that grows has a record for each of its rows; an attribute is a record whose path ends with
- * @ and its name. What is behind the last whole record (a program that was killed, the file's seal) is passed over. */
+/* The states of a run in a build without HDF5: a file of records, one behind the other, which only hawser's report
+ * reads. A record is a head, its path with zeros up to eight bytes, and its values in the same way, in the machine's
+ * format. A set that grows has a record for each of its rows; an attribute is a record whose path ends with @ and its
+ * name. Bytes behind the last complete record (after a kill, or the file's seal) are ignored. */
 #include "core/error.h"
 #include "def/scene_def.h"
 #include "io/results/results_h5.h"
@@ -19,12 +19,12 @@ typedef enum PlainKind { PLAIN_DOUBLE, PLAIN_FLOAT, PLAIN_INT, PLAIN_TEXT, PLAIN
 static const size_t kind_size[PLAIN_KINDS] = {sizeof(double), sizeof(float), sizeof(int), 1};
 
 typedef struct PlainHead {
-    uint32_t mark, kind, path, rank; /* path: bytes of it, with its NUL */
-    uint64_t row;                    /* not 0: a row of a set that grows, with the dimensions of one */
-    uint64_t dims[3];                /* of texts: how many, bytes of each */
+    uint32_t mark, kind, path, rank; /* path: its length in bytes, with its NUL */
+    uint64_t row;                    /* not 0: a row of a set that grows, with the dimensions of one row */
+    uint64_t dims[3];                /* for texts: their number, bytes of each */
 } PlainHead;
 
-/* What a hid_t is: a file and the path within it, behind which names go. */
+/* Meaning of a hid_t: a file and the path within it, to which names are appended. */
 typedef struct PlainPlace {
     struct PlainFile *file;
     char path[PATH_MOST];
@@ -34,15 +34,15 @@ typedef struct PlainPlace {
 
 struct H5File {
     int fd;
-    int failed; /* errno of the first write that was not possible */
+    int failed; /* errno of the first write that failed */
     int segments, rollers;
     float *row; /* [4 * the items of a row] scratch */
     OutSpot spot;
 };
 
-/* The file that is written, for the functions that know a place of it only. */
+/* The written file, for functions that only get a place in it. */
 typedef struct PlainFile {
-    struct H5File *out; /* NULL: it is read */
+    struct H5File *out; /* NULL: the file is read */
     char *bytes;        /* owned */
     int n, room;
     struct PlainSet *set; /* [n], owned */
@@ -53,7 +53,7 @@ static hid_t hid_of(const PlainPlace *place) { return (hid_t)(intptr_t)place; }
 
 static size_t padded(size_t n) { return (n + 7) & ~(size_t)7; }
 
-/* Items of dimensions; those beyond the rank are 1. */
+/* Returns the number of items of dimensions; those beyond the rank are 1. */
 static double items_of(int rank, const uint64_t *dims)
 {
     double n = 1;
@@ -76,7 +76,7 @@ static int record_write(struct H5File *h, const char *path, PlainKind kind, int 
     return !h->failed;
 }
 
-/* Paths in a place; an attribute's `between` is "@". One that is too long becomes "", which nothing is called. */
+/* Joins paths in a place; an attribute's `between` is "@". One that is too long becomes "", which is no name. */
 static void path_join(char path[PATH_MOST], const PlainPlace *place, const char *between, const char *name)
 {
     const size_t n = strlen(place->path), m = strlen(name);
@@ -143,7 +143,7 @@ hid_t h5_group(hid_t parent, const char *path)
 
 void h5_leave(hid_t group) { free(place_of(group)); }
 
-/* How many items a row of this kind has in this scene. */
+/* Returns the number of items in a row of this kind in this scene. */
 static int item_count(const H5File *h, SamplePer per)
 {
     return per == PER_RUN ? 1 : per == PER_SEGMENT ? h->segments : per == PER_JOINT ? h->segments + 1 : h->rollers;
@@ -154,7 +154,7 @@ static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
     return ok && !h->failed ? HAWSER_OK : out_error(h->spot.path, h->failed, err);
 }
 
-/* Everything that does not change. */
+/* Writes all constant sets. */
 static int fixed_write(H5File *h, const ResultsDef *def)
 {
     PlainFile file = {.out = h};
@@ -181,7 +181,7 @@ hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, ha
     return status;
 }
 
-/* A row of a column, in single precision but for numbers of the run. */
+/* Appends a row of a column, in single precision except numbers of the run. */
 static int append_row(H5File *h, const SampleColumn *column, const hawser_sample *sample)
 {
     const int n = item_count(h, column->per), width = column->width ? column->width : 1;
@@ -193,7 +193,7 @@ static int append_row(H5File *h, const SampleColumn *column, const hawser_sample
     return record_write(h, column->set, PLAIN_FLOAT, 1, column->width ? 2 : 1, dims, h->row);
 }
 
-/* The time, which is the first column, comes last: a state is there once it has one. */
+/* Appends the time, which is the first column, last: a state is valid once it has one. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err)
 {
     int ok = 1;
@@ -248,7 +248,7 @@ hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, 
     return h5_can_resume(dir, def, rows, err);
 }
 
-/* results.xdmf leads into results.h5, which is not there: that of another hawser's run is taken away. */
+/* Removes another hawser's results.xdmf, which refers to results.h5. */
 hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
     (void)def, (void)err;
@@ -286,7 +286,7 @@ hawser_status xdmf_close(XdmfFile *x, hawser_error *err)
 /* All records of a path, in the file's order. */
 typedef struct PlainSet {
     const char *path;
-    PlainHead head; /* of the first; the others are as it */
+    PlainHead head; /* of the first record; the others equal it */
     int n, room;
     const char **values; /* [n], owned */
 } PlainSet;
@@ -298,7 +298,7 @@ static PlainSet *set_of(const PlainFile *file, const char *path)
     return NULL;
 }
 
-/* A list with room for one more; 0 without memory. */
+/* Makes a list one larger if needed; 0 without memory. */
 static int list_grow(void **list, int n, int *room, size_t size)
 {
     if (n < *room) return 1;
@@ -307,7 +307,7 @@ static int list_grow(void **list, int n, int *room, size_t size)
     return more != NULL;
 }
 
-/* 0 without memory. A record that is not as the first of its path is passed over. */
+/* Adds a record; one that differs from the first of its path is ignored. 0 without memory. */
 static int record_add(PlainFile *file, const char *path, const PlainHead *head, const char *values)
 {
     PlainSet *set = set_of(file, path);
@@ -322,7 +322,7 @@ static int record_add(PlainFile *file, const char *path, const PlainHead *head, 
     return 1;
 }
 
-/* Every record that is whole; 0 without memory. The file may come from anybody. */
+/* Finds every complete record; 0 without memory. The file may come from anybody. */
 static int records_find(PlainFile *file, size_t size)
 {
     size_t at = 16;
@@ -381,7 +381,7 @@ void states_close(StatesFile *s)
     s->file = -1;
 }
 
-/* A path leads to a group if something lies below it. */
+/* Opens a group: a path with something below it. */
 hid_t door_group(hid_t parent, const char *path)
 {
     PlainPlace *const group = malloc(sizeof *group);
@@ -399,7 +399,7 @@ hid_t door_group(hid_t parent, const char *path)
 
 void door_close(hid_t group) { free(place_of(group)); }
 
-/* The set at a path of that rank, rows counted; NULL: there is none. */
+/* Returns the set at a path of that rank, rows counted; NULL: there is none. */
 static const PlainSet *set_open(hid_t parent, const char *name, const char *between, int rank, hsize_t *dims)
 {
     char path[PATH_MOST];
@@ -418,7 +418,7 @@ int door_numbers_there(hid_t parent, const char *path, int rank, hsize_t *dims)
     return set && set->head.kind != PLAIN_TEXT;
 }
 
-/* Item i of a record. */
+/* Returns item i of a record. */
 static double number_at(const PlainSet *set, const char *values, size_t i)
 {
     double d = 0;
@@ -486,7 +486,7 @@ void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX])
         memcpy(text, set->values[0], dims[1] < DOOR_TEXT_MAX ? (size_t)dims[1] : DOOR_TEXT_MAX - 1);
 }
 
-/* Nothing of this file's reader ends the program: no process of its own is needed. */
+/* Works in this process: nothing in this file's reader ends the program. */
 hawser_status apart_do(ApartWork *work, void *user, char **bytes, size_t *size, int *died, hawser_error *err)
 {
     *bytes = NULL;

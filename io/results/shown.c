@@ -1,5 +1,5 @@
-/* What is shown in which unit. One table holds every unit that a column or a sentence may have, its counterpart and the
- * factor between them; tables, facts, figures and sentences all come here. */
+/* Units for display. One table holds every unit that a column or a sentence may have, its counterpart and the factor
+ * between them; tables, facts, figures and sentences all use it. */
 #include "io/results/column.h"
 
 #include "io/case/units.h"
@@ -18,8 +18,8 @@
 #define CMIL  (3.14159265358979323846 / 4 * (FOOT / 12e3) * (FOOT / 12e3))
 
 typedef struct Pair {
-    const char *si, *us; /* us NULL: it is the same everywhere */
-    double factor;       /* how many `us` one `si` is */
+    const char *si, *us; /* us NULL: the unit is the same in both */
+    double factor;       /* number of `us` in one `si` */
 } Pair;
 
 static const Pair pairs[] = {
@@ -77,7 +77,7 @@ static const Pair pairs[] = {
 };
 enum { PAIRS = sizeof pairs / sizeof *pairs };
 
-/* From what size on, in `unit`, a larger or smaller one of the same system is easier to read. */
+/* Sizes, in `unit`, from which a larger or smaller unit of the same system is easier to read. */
 static const struct Step {
     const char *unit;
     double from, below; /* sizes from .. below */
@@ -119,8 +119,8 @@ Scale scale_of(const char *unit, double size, hawser_units units)
 
 /* ------------------------------------------------------------------------------------------------- keys */
 
-/* Whether a key ends in a unit, written as keys write it ("N/m" is N_per_m, "N m2" N_m2, "%" pct), behind a line or
- * alone; how long that end is, 0 if it does not. */
+/* Returns the length of a unit at the end of a key, written as in keys ("N/m" is N_per_m, "N m2" N_m2, "%" pct), behind
+ * an underscore or alone; 0 if there is none. */
 static size_t unit_tail(const char *key, const char *unit)
 {
     char tail[32] = "_";
@@ -136,7 +136,7 @@ static size_t unit_tail(const char *key, const char *unit)
     return length > n && !strcmp(key + length - n, tail) ? n : 0;
 }
 
-/* The longest of the units with which a key ends, and its length there. */
+/* Returns the longest unit at the end of a key, and its length there. */
 static const char *find_unit(const char *key, size_t *length)
 {
     const char *unit = "";
@@ -181,7 +181,8 @@ const char *say_digits(double value, int digits, char *text)
     return text;
 }
 
-/* A conductor's area as its gauge where it is one of the standard's sizes; wires above 4/0 go by circular mils. */
+/* Writes a conductor's area as its gauge where it is one of the standard's sizes; wires above 4/0 are in circular mils.
+ */
 static int say_gauge(double kcmil, char *text)
 {
     for (int number = -3; number <= 40; ++number) {
@@ -194,7 +195,7 @@ static int say_gauge(double kcmil, char *text)
     return 0;
 }
 
-/* Value and unit. */
+/* Writes value and unit. */
 static const char *say_scaled(double value, Scale scale, int digits, char *text)
 {
     const double shown = value * scale.factor;
@@ -229,7 +230,8 @@ const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, 
 
 /* ------------------------------------------------------------------------------------------------- sentences */
 
-/* How long a number at p is; 0 if there is none, or if it belongs to a word or a key ("eq2", "chain.0.segment"). */
+/* Returns the length of a number at p; 0 if there is none, or if it belongs to a word or a key ("eq2",
+ * "chain.0.segment"). */
 static size_t number_at(const char *start, const char *p)
 {
     const char before = p > start ? p[-1] : ' ';
@@ -245,7 +247,7 @@ static size_t number_at(const char *start, const char *p)
     return (size_t)(p - first);
 }
 
-/* The longest unit of the table that stands at p as a whole word; NULL if there is none. */
+/* Returns the longest unit of the table at p, as a whole word; NULL if there is none. */
 static const Pair *unit_at(const char *p)
 {
     const Pair *found = NULL;
@@ -259,8 +261,8 @@ static const Pair *unit_at(const char *p)
     return found;
 }
 
-/* The unit of the number that ends at p: behind it, or behind the next one of "0.5 to 1 kN/m". *gap gets the blanks
- * before it if it is behind this very number, -1 otherwise. */
+/* Returns the unit of the number that ends at p: behind it, or behind the next one of "0.5 to 1 kN/m". *gap gets the
+ * blanks before it if it is behind this very number, -1 otherwise. */
 static const Pair *unit_behind(const char *start, const char *p, int *gap)
 {
     static const char *const joins[] = {" to ", " and "};
@@ -274,7 +276,7 @@ static const Pair *unit_behind(const char *start, const char *p, int *gap)
     return unit;
 }
 
-/* How many significant digits a number is written with. */
+/* Counts the significant digits of a number. */
 static int digits_of(const char *number, size_t length)
 {
     int digits = 0;
@@ -284,7 +286,7 @@ static int digits_of(const char *number, size_t length)
     return digits;
 }
 
-/* The number's value; whatever the locale, a point is a point. */
+/* Returns the number's value; the decimal sign is a point in any locale. */
 static double value_of(const char *number, size_t length)
 {
     double value = 0;
@@ -303,7 +305,7 @@ static double value_of(const char *number, size_t length)
     return (*number == '-' ? -1 : 1) * value * pow(10, (double)power);
 }
 
-/* Where what is in brackets at p ends, behind the last one; NULL: they do not close. */
+/* Returns the end of the brackets at p, behind the last one; NULL: they do not close. */
 static const char *bracket_end(const char *p)
 {
     int open = 0;
@@ -314,8 +316,8 @@ static const char *bracket_end(const char *p)
     return NULL;
 }
 
-/* How long the user's own words at p are, which stay as they are: in quotes, between marks, or in brackets behind a
- * length, as the name of a place is ("17.3 m (out)"). 0: none. behind: where the last length has ended. */
+/* Returns the length of the user's own words at p, which stay as they are: in quotes, between marks, or in brackets
+ * behind a length, as the name of a place is ("17.3 m (out)"). 0: none. behind: end of the last length. */
 static size_t name_at(const char *start, const char *p, const char *behind)
 {
     const char *end = NULL;
@@ -330,7 +332,7 @@ static size_t name_at(const char *start, const char *p, const char *behind)
     return end ? (size_t)(end - p) : 0;
 }
 
-/* Adds n bytes without marks, as far as there is room. */
+/* Adds n bytes without marks, as far as they fit. */
 static size_t plain_add(const char *from, size_t n, char *text, size_t used, size_t size)
 {
     for (size_t i = 0; i < n && used + 1 < size; ++i) {
@@ -353,7 +355,7 @@ const char *place_mark(const char *place, char *text, size_t size)
 
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size)
 {
-    const char *p = sentence, *behind = NULL; /* where the last length has ended */
+    const char *p = sentence, *behind = NULL; /* end of the last length */
     size_t used = 0;
     if (!sentence || !text || size == 0) return "";
     if (units == HAWSER_SI) used = plain_add(sentence, strlen(sentence), text, 0, size);

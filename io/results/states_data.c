@@ -1,4 +1,4 @@
-/* What stands around the cable, in the group "geometry" of results.h5: sets that do not grow. */
+/* Equipment around the cable, in the group "geometry" of results.h5: constant sets. */
 #include <errno.h>
 #include <fcntl.h>
 #include <jansson.h>
@@ -111,7 +111,7 @@ const FixedSet envelope_set[] = {
 
 const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
 
-/* The pairs that a polyline's elements join, for readers of XDMF. */
+/* Writes the pairs of points that a polyline's elements join, for readers of XDMF. */
 static int line_write(hid_t file, const Geometry *g, int *error)
 {
     const hsize_t dims[2] = {(hsize_t)g->n_route - 1, 2};
@@ -128,7 +128,7 @@ static int line_write(hid_t file, const Geometry *g, int *error)
     return ok;
 }
 
-/* A number that is known. */
+/* Writes a number if it is known. */
 static int number_write(hid_t object, const char *name, double value)
 {
     return isnan(value) || h5_numbers(object, name, 1, &value);
@@ -185,15 +185,13 @@ int geometry_write(hid_t file, const Geometry *g, int *error)
     return ok;
 }
 
-/* Whether the files of a folder are of one run. A table of CSV has no place for a run's identity that its readers would
- * pass over, so that the summary has the sums of all tables; results.h5 has the run's identity and the sum of the
- * series.
- */
+/* Checks that the files of a folder belong to one run. Readers of CSV would not ignore a run's identity in a table, so
+ * that the summary has the hashes of all tables; results.h5 has the run's identity and the hash of the series. */
 
-/* What HDF5 may take to open a file and read two attributes, bytes. */
+/* Memory that HDF5 may take to open a file and read two attributes, bytes. */
 enum { HDF5_ROOM = 4 << 20 };
 
-/* What the summary says of a file; NULL: nothing. */
+/* Returns the summary's entry of a file; NULL: there is none. */
 static const json_t *said_of(const json_t *files, const char *name)
 {
     size_t k;
@@ -206,7 +204,7 @@ static const json_t *said_of(const json_t *files, const char *name)
     return NULL;
 }
 
-/* A table that is there is the one that the run has written. */
+/* Checks that an existing table is the one that the run has written. */
 static hawser_status table_check(const OutDir *dir, const json_t *files, const char *name, hawser_error *err)
 {
     FileSum sum;
@@ -228,13 +226,13 @@ int states_belong(hid_t file, const char *run, const char *series)
     return (!run || !*run || !strcmp(run, has_run)) && (!series || !strcmp(series, has_series));
 }
 
-/* Of which run, and of which series, the states are. */
+/* Identity of the states' run and series. */
 typedef struct Belonging {
     const OutDir *dir;
     const char *run, *series;
 } Belonging;
 
-/* Prints a word if they are of another one. A file that cannot be opened says nothing: who reads it says so. */
+/* Prints a word if they are of another one. A file that cannot be opened is accepted: its reader reports it. */
 static hawser_status belonging_read(void *user, FILE *out, hawser_error *err)
 {
     const Belonging *const b = user;
@@ -246,7 +244,7 @@ static hawser_status belonging_read(void *user, FILE *out, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* The states are those of the run; those of one that has ended are those of its series, too. */
+/* Checks that the states are those of the run; those of a finished run must fit its series, too. */
 static hawser_status states_check(const OutDir *dir, const char *run, const char *series, hawser_error *err)
 {
     static const char *const name = STATES_FILE;
@@ -260,7 +258,7 @@ static hawser_status states_check(const OutDir *dir, const char *run, const char
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.600s/%s' is damaged: its bytes are not those that the run has written", dir->path, name);
     const int fd = file_open_in(dir->at, name, O_RDONLY);
-    if (fd < 0) return HAWSER_OK; /* it says nothing */
+    if (fd < 0) return HAWSER_OK; /* nothing to check */
     close(fd);
     if (!memory_room(HDF5_ROOM)) return error_memory(err);
     status = apart_do(belonging_read, &b, &said, &size, &died, err);
@@ -273,8 +271,8 @@ static hawser_status states_check(const OutDir *dir, const char *run, const char
                      "'%.600s/%s' does not belong to the summary beside it: it is of another run", dir->path, name);
 }
 
-/* A file of JSON; *json NULL: it is not there. Without memory jansson finds fault with some word of it, so that it is
- * asked before whether there is any, and what it finds is looked for twice. Errors: INPUT, MEMORY. */
+/* Reads a file of JSON; *json NULL: it does not exist. Without memory jansson reports a wrong syntax error, so that
+ * memory is checked before, and reading is tried twice. Errors: INPUT, MEMORY. */
 static hawser_status json_read(const OutDir *dir, const char *name, json_t **json, hawser_error *err)
 {
     enum { MORE = 1 << 16, TIMES = 24, MOST = 1 << 28 };
@@ -297,7 +295,7 @@ static hawser_status json_read(const OutDir *dir, const char *name, json_t **jso
     return status;
 }
 
-/* What was computed of a run says of which. */
+/* Checks the run's identity in a derived file. */
 static hawser_status companion_check(const OutDir *dir, const char *run, const char *name, hawser_error *err)
 {
     json_t *json = NULL;
@@ -310,7 +308,7 @@ static hawser_status companion_check(const OutDir *dir, const char *run, const c
     return status;
 }
 
-/* Before a run goes on: its checkpoint may have come from elsewhere. A summary that is not there says nothing. */
+/* Checks before a run continues: its checkpoint may have come from elsewhere. A missing summary is accepted. */
 hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err)
 {
     json_t *summary = NULL;
@@ -323,7 +321,7 @@ hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *er
     return status;
 }
 
-/* Between a run and what is computed of it another one may have taken its folder's name. */
+/* Checks first that no other run has taken the folder since the figures were computed. */
 hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err)
 {
     OutDir folder = {.at = -1};
@@ -332,7 +330,7 @@ hawser_status companion_write(const char *dir, const char *name, const char *tex
     hawser_status status = out_make_dir(dir, err);
     if (!status) status = out_enter(&folder, dir, err);
     if (!status) status = json_read(&folder, "summary.json", &summary, err);
-    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK; /* it says nothing */
+    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK; /* nothing to check */
     const char *const there = json_string_value(json_object_get(summary, "run"));
     if (!status && run && *run && there && strcmp(run, there) != 0)
         status = error_set(err, HAWSER_ERR_OUTPUT,
@@ -356,7 +354,7 @@ hawser_status belong_check(const OutDir *dir, const json_t *summary, hawser_erro
     const char *const run = json_string_value(json_object_get(summary, "run"));
     const int listed = json_is_array(files) && !is_running(summary); /* its tables grow until the end */
     hawser_status status = HAWSER_OK;
-    if (!run) return HAWSER_OK; /* of a hawser that did not say it yet */
+    if (!run) return HAWSER_OK; /* from a hawser that did not store it yet */
     for (int k = 0; k < FILE_SUMS_MAX && !status && listed; k++) status = table_check(dir, files, sum_files[k], err);
     if (!status) status = companion_check(dir, run, "certificate.json", err);
     if (!status) status = companion_check(dir, run, "sensitivities.json", err);

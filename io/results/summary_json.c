@@ -1,5 +1,5 @@
-/* summary.json: its keys are the rows of the tables below, in the order in which they stand in the file. Setters return
- * 0, or something else when memory ran out, and are or'ed together: one look at the end is enough. */
+/* summary.json: its keys are the rows of the tables below, in the order of the file. Setters return 0, or something
+ * else when memory ran out, and are or'ed together: one check at the end is enough. */
 #include "core/error.h"
 #include "io/results/column.h"
 #include "io/results/results_file.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* All that the file speaks of. */
+/* All data of the file. */
 typedef struct Summary {
     hawser_summary s;
     SummaryLabels l;
@@ -21,7 +21,7 @@ typedef struct Summary {
     int format;
 } Summary;
 
-/* One object a duct, tray, floor or wall. */
+/* One object for each duct, tray, floor or wall. */
 static const Column surface_column[] = {
     {COLUMN("name", TEXT, hawser_surface, name)},
     {COLUMN("kind", TEXT, hawser_surface, kind)},
@@ -53,7 +53,7 @@ static int roller_moves(const void *row)
     return !isnan(r->spin_rad_per_s) || !isnan(r->shift_m);
 }
 
-/* Several cables taken as one, and how they lie in the ducts. */
+/* Several cables as one equivalent cable, and their layout in the ducts. */
 static const Column bundle_duct_column[] = {
     {COLUMN("name", TEXT, hawser_bundle_duct, name)},
     {COLUMN("layout", TEXT, hawser_bundle_duct, layout)},
@@ -93,7 +93,7 @@ static const Column position_column[] = {
     {COLUMN("reference_N", NUMBER, hawser_position, reference_N)},
     {COLUMN("error_pct", NUMBER, hawser_position, error_pct)},
 };
-/* Of other analyses there is no such list. */
+/* Other analyses have no such list. */
 static int is_place(const void *row)
 {
     (void)row;
@@ -120,7 +120,7 @@ static const Column critical_column[] = {
 };
 static const Columns critical_columns = COLUMNS(hawser_critical, critical_column);
 
-/* As the run ended. */
+/* Values at the end of the run. */
 static const Column probe_column[] = {
     {COLUMN("name", TEXT, hawser_probe, name)},
     {COLUMN("at_m", NUMBER, hawser_probe, at)},
@@ -146,7 +146,7 @@ static const Column condition_column[] = {
 };
 static const Columns condition_columns = COLUMNS(hawser_condition, condition_column);
 
-/* What the case did not say itself. */
+/* Assumptions: values that the case does not give itself. */
 static const Column assumption_column[] = {
     {COLUMN("key", CHARS, hawser_assumption, key)},
     {COLUMN("value", CHARS, hawser_assumption, value)},
@@ -209,7 +209,7 @@ static const Column remedy_column[] = {
 };
 static const Columns remedy_columns = COLUMNS(Remedy, remedy_column);
 
-/* Eq. 12 roller by roller. */
+/* Eq. 12 for each roller. */
 static const Column overload_column[] = {
     {COLUMN("roller", TEXT, Overload, name)},   {COLUMN("s_m", NUMBER, Overload, s)},
     {COLUMN("peak_N", NUMBER, Overload, peak)}, {COLUMN("reference_N", NUMBER, Overload, reference)},
@@ -254,7 +254,7 @@ static const Column balance_column[] = {
 };
 static const Columns balance_columns = COLUMNS(hawser_balance, balance_column);
 
-/* What a figure may be off by, in its own unit. */
+/* Error bound of a figure, in its own unit. */
 static const Column bar_column[] = {
     {COLUMN("time_N", NUMBER, hawser_error_bar, time)},
     {COLUMN("mesh_N", NUMBER, hawser_error_bar, mesh)},
@@ -268,7 +268,7 @@ static void drop_senseless(hawser_error_bar *bar, double size)
     if (bar->total >= size) *bar = (hawser_error_bar){NAN, NAN, NAN, NAN};
 }
 
-/* An error bound as large as its figure bounds nothing. */
+/* Drops an error bound that is as large as its figure. */
 static hawser_summary figures_bounded(const hawser_summary *s)
 {
     hawser_summary out = *s;
@@ -277,7 +277,7 @@ static hawser_summary figures_bounded(const hawser_summary *s)
     return out;
 }
 
-/* What a second pass was made for, and what each found. */
+/* Reason for a second pass, and the results of each. */
 static const Column pass_column[] = {
     {COLUMN("accuracy", NUMBER, hawser_pass, accuracy)},
     {COLUMN("segments", COUNT, hawser_pass, segments)},
@@ -335,11 +335,11 @@ static const Column file_column[] = {
 };
 static const Columns file_columns = COLUMNS(FileSum, file_column);
 
-/* Summaries of a folder alone have them. */
+/* Only summaries of a folder have them. */
 static int is_piece(const void *row) { return row != NULL; }
 
 static const Column summary_column[] = {
-    /* what was run, by what, and how it ended */
+    /* the run, its program, and its outcome */
     {COLUMN("format", COUNT, Summary, format)},
     {COLUMN("title", TEXT, Summary, l.title)},
     {COLUMN("case", TEXT, Summary, l.case_name)},
@@ -355,7 +355,7 @@ static const Column summary_column[] = {
     {COLUMN("rollers", COUNT, Summary, s.rollers)},
     {COLUMN("contact_candidates", COUNT, Summary, s.contact_candidates)},
     {COLUMN("contact_active_max", COUNT, Summary, s.contact_active_max)},
-    /* what the integrator and the linear solver did */
+    /* work of the integrator and the linear solver */
     {COLUMN("sim_time_s", NUMBER, Summary, s.sim_time_s)},
     {COLUMN("wall_time_s", NUMBER, Summary, s.wall_time_s)},
     {COLUMN("real_time_factor", NUMBER, Summary, s.real_time_factor)},
@@ -416,14 +416,14 @@ static const Column summary_column[] = {
     {COLUMN("passes", OBJECT, Summary, s.passes), .of = &passes_columns},
     {COLUMN("overload.trip_N", NUMBER, Summary, l.trip_N)},
     {LIST("overload.rollers", Summary, l.overload, l.n_overloads, overload_columns)},
-    /* how the initial equilibrium went */
+    /* result of the relaxation to the initial equilibrium */
     {COLUMN("relaxation.reached", FLAG, Summary, s.relaxation.reached)},
     {COLUMN("relaxation.iterations", COUNT, Summary, s.relaxation.iterations)},
     {COLUMN("relaxation.residual_N", NUMBER, Summary, s.relaxation.residual_N)},
     {COLUMN("relaxation.tolerance_N", NUMBER, Summary, s.relaxation.tolerance_N)},
     {COLUMN("relaxation.segment", COUNT, Summary, s.relaxation.segment)},
     {COLUMN("relaxation.moved_m", NUMBER, Summary, s.relaxation.moved_m)},
-    /* where the wall time went */
+    /* wall time by phase */
     {COLUMN("phases_s.relax", NUMBER, Summary, s.phases.relax)},
     {COLUMN("phases_s.rhs", NUMBER, Summary, s.phases.rhs)},
     {COLUMN("phases_s.contacts", NUMBER, Summary, s.phases.contacts)},
@@ -436,11 +436,11 @@ static const Column summary_column[] = {
 };
 const Columns summary_columns = COLUMNS(Summary, summary_column);
 
-/* JSON has no NAN, which becomes null. */
+/* Returns null for NAN, which JSON does not have. */
 static json_t *json_number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
 
-/* Text that is not UTF-8 (a name from a strange file) becomes null. Where there was no memory for a text there is none
- * a moment later. */
+/* Returns null for text that is not UTF-8 (a name from a strange file). If there was no memory for a text a second
+ * attempt has none either. */
 static json_t *json_words(const char *v)
 {
     json_t *text = v ? json_string(v) : NULL;
@@ -451,7 +451,7 @@ static json_t *json_words(const char *v)
 static json_t *json_row(const Columns *columns, const void *row);
 static json_t *json_column(const Column *c, const void *row);
 
-/* A list's rows one by one, or a map's by name; NULL without memory. */
+/* Returns a list's rows one by one, or a map's by name; NULL without memory. */
 static json_t *json_rows(const Column *c, const void *row)
 {
     const void *const at = (const char *)row + c->offset;
@@ -480,7 +480,7 @@ static json_t *json_vector(const double v[3])
     return NULL;
 }
 
-/* A column's value; NULL without memory. */
+/* Returns a column's value; NULL without memory. */
 static json_t *json_column(const Column *c, const void *row)
 {
     const void *const at = (const char *)row + c->offset;
@@ -510,7 +510,7 @@ static json_t *json_column(const Column *c, const void *row)
     return json_words(column_cell(c, row).text);
 }
 
-/* Whether a row has nothing to say under this key: no object, or a list of which nothing is kept. */
+/* Checks whether a row has nothing under this key: no object, or a list without kept rows. */
 static int is_absent(const Column *c, const void *row)
 {
     const void *const at = (const char *)row + c->offset;
@@ -523,7 +523,7 @@ static int is_absent(const Column *c, const void *row)
     return 1;
 }
 
-/* Puts a value under its key, "a.b" into the object a, which is made if need be. */
+/* Puts a value under its key, "a.b" into the object a, which is made if it does not exist. */
 static int put(json_t *o, const char *key, json_t *value)
 {
     char outer[32];
@@ -534,7 +534,7 @@ static int put(json_t *o, const char *key, json_t *value)
     return json_object_set_new(json_object_get(o, outer), dot + 1, value);
 }
 
-/* Keys keep the order of the columns. NULL without memory. */
+/* Keeps the order of the columns. NULL without memory. */
 static json_t *json_row(const Columns *columns, const void *row)
 {
     json_t *const o = json_object();
@@ -548,7 +548,7 @@ static json_t *json_row(const Columns *columns, const void *row)
     return NULL;
 }
 
-/* One list for each kind of machine that there is. */
+/* Puts one list for each kind of machine that exists. */
 static int machines_put(json_t *o, const hawser_summary *s)
 {
     int bad = 0;
@@ -565,7 +565,7 @@ static int machines_put(json_t *o, const hawser_summary *s)
     return bad;
 }
 
-/* Ten digits: enough to compare runs, short enough to read. */
+/* Writes ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
     Summary all = {.s = figures_bounded(s), .l = *labels, .version = hawser_version(), .format = RESULTS_FORMAT};

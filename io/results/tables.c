@@ -1,8 +1,6 @@
-/* What stands above a column says what it is: docs/reference/results.md and Python's tables have it from here. One
- * without has that of the column before it. (tests/house/check_columns.py)
- *
- * stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
- * which are known at the start. */
+/* The comment above a column describes it: docs/reference/results.md and Python's tables are made from these. One
+ * without has that of the column before it. (tests/house/check_columns.py) stations.csv, rollers.csv and modes.csv,
+ * which are small and written once, at the end; inputs.csv and route.csv, which are known at the start. */
 #include "core/error.h"
 #include "def/scene_def.h"
 #include "io/results/results_file.h"
@@ -11,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of the theory, with its sign: positive when the simulation is above. */
+/* Deviation from theory, with its sign: positive when the simulation is above. */
 static double error_percent(double value, double theory)
 {
     return theory > 0 || theory < 0 ? 100 * (value - theory) / theory : NAN;
@@ -55,14 +53,14 @@ static const Column station_column[] = {
     {.key = "error_reference_pct", .number = reference_error},
     /* peak / reference: the paper's overload factor alpha (its eq. 12) with the reference as theory */
     {.key = "peak_ratio", .number = station_peak},
-    /* what the mean may be off by through the numbers alone */
+    /* error bound of the mean */
     {COLUMN("mean_error_N", NUMBER, hawser_station, mean_error_N)},
-    /* what the peak may be off by through the numbers alone */
+    /* error bound of the peak */
     {COLUMN("peak_error_N", NUMBER, hawser_station, peak_error_N)},
 };
 const Columns station_columns = COLUMNS(hawser_station, station_column);
 
-/* A roller that nothing rests on has no ratios; one without a rating has no margin. */
+/* A roller without load has no ratios; one without a rating has no margin. */
 static double roller_peak(const void *row)
 {
     const hawser_roller *const r = row;
@@ -88,19 +86,19 @@ static const Column roller_column[] = {
     {COLUMN("s_m", NUMBER, hawser_roller, s)},
     /* load at rest before t = 0 */
     {COLUMN("initial_N", NUMBER, hawser_roller, initial_N)},
-    /* mean load of the steady window; limit `roller_steady` goes by the largest that lasts within it */
+    /* mean load of the steady window; limit `roller_steady` uses the largest that lasts within it */
     {COLUMN("steady_N", NUMBER, hawser_roller, steady_N)},
     /* largest load of the run */
     {COLUMN("peak_N", NUMBER, hawser_roller, peak_N)},
     /* peak / steady */
     {.key = "peak_ratio", .number = roller_peak},
-    /* what the roller may carry; empty if the case does not say */
+    /* rated load; empty if the case does not give it */
     {.key = "rating_N", .number = roller_rating},
-    /* rating / steady; the paper wants at least 1.6 */
+    /* rating / steady; the paper requires at least 1.6 */
     {.key = "rating_ratio", .number = roller_margin},
-    /* what the mean load may be off by through the numbers alone */
+    /* error bound of the mean load */
     {COLUMN("steady_error_N", NUMBER, hawser_roller, steady_error_N)},
-    /* what the largest load may be off by through the numbers alone */
+    /* error bound of the largest load */
     {COLUMN("peak_error_N", NUMBER, hawser_roller, peak_error_N)},
 };
 const Columns roller_columns = COLUMNS(hawser_roller, roller_column);
@@ -112,13 +110,13 @@ typedef struct ModeRow {
 } ModeRow;
 
 static const Column shape_column[] = {
-    /* from 1, by rising omega squared */
+    /* number from 1, by rising omega squared */
     {COLUMN("mode", COUNT, ModeRow, mode)},
-    /* 0 where it does not swing */
+    /* 0 for a mode that does not swing */
     {COLUMN("frequency_Hz", NUMBER, ModeRow, frequency), .digits = 10},
-    /* above 0 it grows: the equilibrium is not stable */
+    /* above 0 the mode grows: the equilibrium is not stable */
     {COLUMN("growth_per_s", NUMBER, ModeRow, growth), .digits = 10},
-    /* from 0 at the tail */
+    /* number from 0 at the tail */
     {COLUMN("segment", COUNT, ModeRow, segment)},
     /* displacement of the segment's centre */
     {COLUMN("dx_m", NUMBER, ModeRow, shape[0])},
@@ -139,15 +137,15 @@ typedef struct InputRow {
 static const Column input_column[] = {
     /* dotted, as `--set` takes it */
     {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},
-    /* as written, without its unit; a list within brackets; of a default perhaps in words */
+    /* as written, without its unit; a list within brackets; a default may be a text */
     {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
     /* as written behind a number */
     {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},
     /* `given`, `catalogue`, `estimated` or `default` */
     {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
-    /* file and line, or `--set KEY`; empty of estimates and defaults */
+    /* file and line, or `--set KEY`; empty for estimates and defaults */
     {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])},
-    /* the entry of the catalogue and where its figures are from; how a value was estimated and what it may be off by */
+    /* the entry of the catalogue and the source of its figures; the method of an estimate and its error */
     {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
 };
 static const Columns input_columns = COLUMNS(InputRow, input_column);
@@ -159,7 +157,7 @@ static const Column route_column[] = {
     {COLUMN("x_m", NUMBER, AlongRow, place[0])},
     {COLUMN("y_m", NUMBER, AlongRow, place[1])},
     {COLUMN("z_m", NUMBER, AlongRow, place[2])},
-    /* of the route */
+    /* curvature of the route */
     {COLUMN("curvature_per_m", NUMBER, AlongRow, curvature), .digits = 6},
     /* tension by the reference theory, the route full of cable, pulled to its end */
     {COLUMN("forward_N", NUMBER, AlongRow, forward), .digits = 6},
@@ -167,7 +165,7 @@ static const Column route_column[] = {
     {COLUMN("backward_N", NUMBER, AlongRow, backward), .digits = 6},
     /* forward, by the paper's formulas */
     {COLUMN("paper_N", NUMBER, AlongRow, paper), .digits = 6},
-    /* reference theory of the cable that the run is compared with (`reference_N` of the stations), where that is */
+    /* reference theory of the cable that the run is compared with (`reference_N` of the stations), where it lies */
     {COLUMN("run_N", NUMBER, AlongRow, run), .digits = 6},
     /* T/R on the worst loaded cable, of `forward_N` */
     {COLUMN("forward_sidewall_N_per_m", NUMBER, AlongRow, sidewall), .digits = 6},
@@ -200,7 +198,7 @@ hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *
     return status;
 }
 
-/* Row by row through the texts, which lie one behind the other. */
+/* Writes row by row from the texts, which lie one behind the other. */
 hawser_status inputs_write(OutFile *out, int n, const char *inputs, hawser_error *err)
 {
     hawser_status status = csv_head(out, &input_columns, err);
@@ -221,41 +219,41 @@ static double place_error(const void *row)
     return error_percent(p->pull_N, p->reference_N);
 }
 
-/* One that nothing pushes has no place where it is. */
+/* Returns the place; without compression there is none. */
 static const Column place_column[] = {
     /* place of the front along the route */
     {COLUMN("head_m", NUMBER, hawser_place, head_m)},
-    /* when the winch has hauled it there */
+    /* time at which the winch has hauled it there */
     {COLUMN("time_s", NUMBER, hawser_place, time_s)},
     /* pull of the winch */
     {COLUMN("pull_N", NUMBER, hawser_place, pull_N)},
     /* the reference theory for that place */
     {COLUMN("reference_N", NUMBER, hawser_place, reference_N)},
-    /* how far the pull is above that */
+    /* 100 (pull - reference) / reference */
     {.key = "error_pct", .number = place_error},
     /* tension at the front */
     {COLUMN("front_N", NUMBER, hawser_place, front_N)},
-    /* the largest tension of cable and rope */
+    /* largest tension of cable and rope */
     {COLUMN("max_tension_N", NUMBER, hawser_place, tension_N)},
-    /* where that is */
+    /* its place */
     {COLUMN("max_tension_at_m", NUMBER, hawser_place, tension_at_m)},
-    /* the largest compression (0: none) */
+    /* largest compression (0: none) */
     {COLUMN("push_N", NUMBER, hawser_place, push_N)},
-    /* where that is */
+    /* its place */
     {COLUMN("push_at_m", NUMBER, hawser_place, push_at_m)},
-    /* the largest load on a roller */
+    /* largest load on a roller */
     {COLUMN("max_roller_N", NUMBER, hawser_place, roller_N)},
-    /* which roller that is */
+    /* name of that roller */
     {COLUMN("max_roller", TEXT, hawser_place, roller)},
-    /* the largest sidewall pressure in the route's bends */
+    /* largest sidewall pressure in the route's bends */
     {COLUMN("max_sidewall_N_per_m", NUMBER, hawser_place, sidewall_N_per_m)},
-    /* where that is */
+    /* its place */
     {COLUMN("max_sidewall_at_m", NUMBER, hawser_place, sidewall_at_m)},
-    /* the largest force left unbalanced on a segment */
+    /* largest unbalanced force on a segment */
     {COLUMN("residual_N", NUMBER, hawser_place, residual_N), .digits = 4},
-    /* what is allowed of it */
+    /* its allowed value */
     {COLUMN("tolerance_N", NUMBER, hawser_place, tolerance_N), .digits = 4},
-    /* of Newton's method */
+    /* Newton iterations */
     {COLUMN("iterations", COUNT, hawser_place, iterations)},
 };
 const Columns place_columns = COLUMNS(hawser_place, place_column);
@@ -284,7 +282,7 @@ hawser_status places_write(OutFile *out, int n, const hawser_place *place, int n
     return status;
 }
 
-/* One long table: mode by mode, in each the segments from the tail on. */
+/* Writes one long table: mode by mode, in each the segments from the tail on. */
 hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err)
 {
     hawser_status status = csv_head(out, &shape_columns, err);

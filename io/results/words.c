@@ -1,5 +1,5 @@
-/* A text is put into another language by the row whose pattern it fits: what printf has put together is taken apart
- * again, and the parts are put into words in turn. So that theory, limits and codes speak English alone. */
+/* Translates a text by the row whose pattern it fits: the parts that printf has inserted are separated again, and
+ * translated in turn. Theory, limits and codes therefore write English alone. */
 #include "io/results/words.h"
 
 #include <ctype.h>
@@ -12,7 +12,7 @@ const char *const language_tags[LANGUAGES] = {"en", "zh", "de"};
 
 enum { PARTS = 10, DEPTH_MOST = 7, TRIES_MOST = 20000 };
 
-/* What stands for a mark of a pattern. */
+/* Text in place of a mark of a pattern. */
 typedef struct Part {
     const char *at;
     size_t n;
@@ -25,8 +25,8 @@ typedef struct Fit {
     const WordsRow *row;
     Part part[PARTS];
     char *out;  /* [WORDS_MAX] */
-    int depth;  /* of texts within texts */
-    int *tries; /* left, of all of them together */
+    int depth;  /* depth of texts within texts */
+    int *tries; /* remaining tries, of all of them together */
 } Fit;
 
 static int put(Language language, const char *text, size_t n, char *out, int depth, int *tries);
@@ -36,12 +36,12 @@ static int is_mark(const char *p)
     return (*p == '{' || *p == '[' || *p == '<') && isdigit((unsigned char)p[1]) && strchr("}]>", p[2]);
 }
 
-/* Words of units that are not of capitals alone. */
+/* Units that are not in capitals alone. */
 static const char units[] =
     " kN kN/m N/m m mm m/s m/min km kg kg/m kg/m3 mm2 N/mm2 lbf lbf/ft lbf/cmil ft in psi kip lb "
     "lb/ft lb/ft3 lbf/in kcmil ksi ft/min min h deg s D/d d pi2 l2 l w/r % <= >= = - +- ";
 
-/* Whether a word needs no translation: a number, a unit, a key of a case, a code. */
+/* Checks whether a word needs no translation: a number, a unit, a key of a case, a code. */
 static int is_plain_word(const char *word, size_t n)
 {
     char framed[80];
@@ -59,7 +59,7 @@ static int is_plain_word(const char *word, size_t n)
     return capitals;
 }
 
-/* A name between its marks, or plain words. */
+/* Checks for a name between its marks, or plain words. */
 static int is_plain(const char *text, size_t n)
 {
     if (n >= 2 && text[0] == NAME_BEGINS && memchr(text, NAME_ENDS, n) == text + n - 1) return 1;
@@ -72,7 +72,7 @@ static int is_plain(const char *text, size_t n)
     return 1;
 }
 
-/* The row's text with its parts in words; 0: one of them has none. */
+/* Writes the row's text with its parts translated; 0: one of them has no translation. */
 static int render(Fit *f)
 {
     char word[WORDS_MAX];
@@ -101,7 +101,7 @@ static int render(Fit *f)
     return 1;
 }
 
-/* Fits the rest of a pattern to the rest of a text [n]; a mark takes as little as it can. */
+/* Fits the rest of a pattern to the rest of a text [n]; a mark takes as little as possible. */
 static int follow(Fit *f, const char *pattern, const char *text, size_t n)
 {
     for (; *pattern && !is_mark(pattern); ++pattern, ++text, --n)
@@ -119,7 +119,8 @@ static int follow(Fit *f, const char *pattern, const char *text, size_t n)
     return 0;
 }
 
-/* Whether what stands between a pattern's marks is in a text [n] at all, in its order: of most rows it is not. */
+/* Checks quickly whether the text between a pattern's marks is in a text [n] at all, in its order: for most rows it is
+ * not. */
 static int may_fit(const char *pattern, const char *text, size_t n)
 {
     if (!is_mark(pattern) && *pattern != *text) return 0;
@@ -163,8 +164,8 @@ const char *words_in(Language language, const char *english, char *text)
     return put(language, english, strlen(english), text, 0, &tries) ? text : english;
 }
 
-/* All texts of a calculation's page, in the order in which they are tried: io/results/words.h. A row with a sentence
- * stands before the rows of its words. */
+/* All texts of a calculation's page, in the order in which they are tried: io/results/words.h. A row with a sentence is
+ * before the rows of its words. */
 
 /* clang-format off */
 const WordsRow words_rows[] = {
@@ -563,7 +564,7 @@ const WordsRow words_rows[] = {
     {{"a winch that pulls with at most {1} ({2})", "卷扬机速度不超过 {1}（{2}）", "eine Winde mit höchstens {1} ({2})"}},
     {{"less feed ({1}): at most {2}", "减小送入推力（{1}）：不超过 {2}", "weniger Zuschub ({1}): höchstens {2}"}},
     {{"a softer start: a longer {1}, ramp step5", "更平缓起动：加长 {1}，采用 step5 曲线", "ein sanfteres Anfahren: längeres {1}, Rampe step5"}},
-    /* What limits rest on */
+    /* Sources of limits */
     {{"needs {1}", "需给定 {1}", "braucht {1}"}},
     {{"limits.attachment_rating of the pulling head", "limits.attachment_rating（牵引头）", "limits.attachment_rating des Ziehkopfs"}},
     {{"limits.attachment_rating of the compression eye", "limits.attachment_rating（压接牵引端）", "limits.attachment_rating der Pressöse"}},
@@ -747,7 +748,7 @@ const WordsRow words_rows[] = {
     {{"not in the route, of its file: {1}", "线路文件中未采用：{1}", "nicht in der Trasse, aus ihrer Datei: {1}"}},
     {{"not in the route, of its file: [1], and more (hawser check lists it)", "线路文件中未采用：{1} 等（见 hawser check）", "nicht in der Trasse, aus ihrer Datei: {1} und mehr (hawser check zählt es auf)"}},
     {{"not in the route, of its file: [1]", "线路文件中未采用：{1}", "nicht in der Trasse, aus ihrer Datei: {1}"}},
-    /* Texts made of others; the last resort */
+    /* Combined texts; the last resort */
     {{"{1}; {2}", "{1}；{2}", "{1}; {2}"}},
     {{"{1}, {2}", "{1}，{2}", "{1}, {2}"}},
     {{"{1} and {2}", "{1}和{2}", "{1} und {2}"}},
