@@ -613,8 +613,7 @@ static hawser_status members_read(const CaseReader *r, const CaseNode *list, int
         there |= out->member[out->set.kinds - 1] == cable;
     }
     if (there) return HAWSER_OK;
-    return case_key_error(r->err, list, NULL, "'%s', of which the chain is, is not among them",
-                          r->def->cables[cable].name);
+    return case_key_error(r->err, list, NULL, "'%s', the chain's cable, is not among them", r->def->cables[cable].name);
 }
 
 /* Checks the layout and the twist against the number of the thickest cables. node: where they were written. */
