@@ -821,7 +821,7 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
 
-/* Where the case does not give its own friction, sets it to the largest one of rollers and floors: the cable runs on
+/* Sets the case's own friction, if it is not given, to the largest one of rollers and floors: the cable runs on
  * these wherever there is no duct and no tray. */
 hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node)
 {
