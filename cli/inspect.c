@@ -47,11 +47,11 @@ static const char theory_help[] =
 static const char validate_help[] =
     "Usage: hawser validate [options]\n"
     "\n"
-    "Runs scenes of which the result is known from elsewhere, and prints for each quantity what was expected,\n"
+    "Runs scenes with known results, and prints for each quantity what was expected,\n"
     "what was found, the error and the tolerance. docs/validation.md says what each case proves.\n"
     "\n"
     "      --filter TEXT       only the cases whose names hold TEXT\n"
-    "      --fast              only those that take a moment\n" FORMAT "\n"
+    "      --fast              only the quick ones\n" FORMAT "\n"
     "Exit status: 0 all are within their tolerances; 1 one is outside; 5 no memory;\n"
     "2 no case has such a name, or the command line is wrong.\n";
 
@@ -66,7 +66,7 @@ static const char library_help[] =
     "copper,\n"
     "area: 800 mm2}'; beside them source, note, mark and range. Nothing is written over.\n"
     "\n" FORMAT "\n"
-    "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
+    "The files are in share/hawser/library beside the program, or in the folder that HAWSER_LIBRARY names.\n"
     "Exit status: 0 done; 2 there is no such kind, name, key or value, or no catalogue; 4 FILE cannot be written.\n";
 
 static const char schema_help[] = "Usage: hawser schema [options]\n"
@@ -261,8 +261,7 @@ const Command command_check = {"check", "checks a case and prints what would be 
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
                                 "sfuWiQSeoPq", theory_help, theory};
 
-const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
-                                  validate};
+const Command command_validate = {"validate", "runs scenes with known results", "fuFx-", validate_help, validate};
 
 /* hawser place: places of machines and pits. */
 

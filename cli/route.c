@@ -7,7 +7,7 @@
 static const char help[] =
     "Usage: hawser route FILE [options]\n"
     "\n"
-    "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV, .xlsx, .ods)\n"
+    "Lists the routes in FILE: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV, .xlsx, .ods)\n"
     "or a map (GeoJSON, GPX, KML, KMZ, shapefile); how long they are, where they begin and end, how well straights,\n"
     "arcs and clothoids fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
     "\n"

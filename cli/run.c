@@ -377,7 +377,7 @@ void progress_study(Progress *p, const hawser_study_state *state)
     p->tenths = tenths;
 }
 
-/* Prints the assumptions of a run in a few lines: `hawser check` has the list. */
+/* The assumptions of a run in a few lines: `hawser check` has the list. */
 
 /* Checks whether a dotted key ends in this name. */
 static int is_key(const char *key, const char *name)

@@ -258,7 +258,7 @@ static void documentation_write(const Model *m, hawser_fmi version, const char *
            "next step on, over the time of inputs.ramp: no output depends on an input at the same time.</li>\n"
            "<li>A step that the winch ends before its time is the last one.</li>\n"
            "<li>The parameters below case. are fixed when the initialization ends.</li>\n"
-           "<li>A number that there is none of is NaN.</li>\n"
+           "<li>A number that does not exist is NaN.</li>\n"
            "<li>The case itself is resources/case.yaml; the licences of what is inside are in "
            "<a href=\"licenses/license.txt\">licenses/license.txt</a>.</li>\n</ul>\n");
     table_write(m, "Inputs", ROLE_INPUT, ROLE_INPUT, t);

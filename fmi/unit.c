@@ -51,7 +51,7 @@ char *address_folder(const char *address)
     return folder;
 }
 
-/* Updates the values of outputs: the sample is taken once a step, limits and verdict are judged only on request. */
+/* Values of outputs: the sample is taken once a step, limits and verdict are judged only on request. */
 
 static const hawser_sample *look_now(Unit *u)
 {
@@ -416,7 +416,7 @@ static const Variable *variable_of(Unit *u, size_t reference, VariableType type)
     }
     const Variable *const row = &u->model.variables.row[reference];
     if (row->type == type) return row;
-    unit_say(u, FAILED, "'%s' is of another type than was asked for", row->name);
+    unit_say(u, FAILED, "'%s' has another type than requested", row->name);
     return NULL;
 }
 

@@ -24,8 +24,8 @@ typedef enum hawser_status {
     HAWSER_STOPPED = 130 /* stopped because the caller requested it */
 } hawser_status;
 
-/* What went wrong, for programs. Set it to {0} and pass it on: the fields hold what the message states in one line. An
- * unknown one stays "", 0 or, for a segment, -1. */
+/* Cause of an error, for programs. Set it to {0} and pass it on: the fields hold what the message states in one line.
+ * An unknown one stays "", 0 or, for a segment, -1. */
 enum { HAWSER_MESSAGE_MAX = 1024, HAWSER_KEY_MAX = 192, HAWSER_FILE_MAX = 256 };
 typedef struct hawser_error {
     hawser_status status;

@@ -201,7 +201,7 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
         }
     }
     if (*more) answer_line(a, "broken", "%s, too (--tables limits)", more);
-    if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
+    if (n == 0) answer_line(a, "remedy", "give the allowed values in the case's section 'limits'");
     open_line(a, n, limit);
 }
 
@@ -277,7 +277,7 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m, int of_run)
     }
     if (n > shown)
         snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - shown);
-    const char *const but = m->beside ? " for all but what is named above" : "";
+    const char *const but = m->beside ? " for all limits but those above" : "";
     if (m->safe && of_run)
         answer_line(a, "remedy", "%s would do%s, by theory with this run's figures (%s): run the case again with it",
                     text, but, m->word);
@@ -471,7 +471,7 @@ static void reached_line(Answer *a, hawser_sim *s)
     const double front = scene->joint_s[scene->eye] + s->look.sample.winch_travel, length = scene->route.length;
     char at[HAWSER_SHOWN_MAX], of[HAWSER_SHOWN_MAX];
     if (!scene->winch->present || scene->def.analysis.kind != ANALYSIS_DYNAMICS || !(front < REACHED * length)) return;
-    answer_line(a, "reached", "the cable's front came to %s of %s: what is said is of the way up to there",
+    answer_line(a, "reached", "the cable's front reached %s of %s: the answer covers the pull up to there",
                 hawser_show(front, "m", a->units, at), hawser_show(length, "m", a->units, of));
 }
 

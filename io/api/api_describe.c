@@ -219,7 +219,7 @@ typedef struct MeshRow {
 static const Column mesh_column[] = {
     {COLUMN("where", CHARS, MeshRow, where), .label = "place"},
     {COLUMN("cable", TEXT, MeshRow, cable), .label = "cable"},
-    {COLUMN("asks_for_m", NUMBER, MeshRow, wants), .label = "asks for, m", .decimals = 3},
+    {COLUMN("asks_for_m", NUMBER, MeshRow, wants), .label = "required, m", .decimals = 3},
     {COLUMN("segment_m", NUMBER, MeshRow, given), .label = "segment, m", .decimals = 3},
     {COLUMN("error_pct", NUMBER, MeshRow, error), .label = "expected error, %", .decimals = 2},
 };
@@ -409,10 +409,9 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
         {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
-        {"bundle", "How the cables lie that the first of the chain stands for",
-         COLUMNS(hawser_bundle_duct, bundle_column), s->bundle ? s->bundle->n_ducts : 0,
-         s->bundle ? s->bundle->ducts : NULL},
-        {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
+        {"bundle", "Layout of the cables in a bundle", COLUMNS(hawser_bundle_duct, bundle_column),
+         s->bundle ? s->bundle->n_ducts : 0, s->bundle ? s->bundle->ducts : NULL},
+        {"mesh", "Places that require short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
         {"drawing", "Equipment from the drawing", COLUMNS(DrawnDef, drawn_column), def->n_drawn, def->drawn},
         {"unusual", "Hardly ever so: is the unit right?", COLUMNS(PlausibleRow, plausible_column), d->n_odd, d->odd},
         {"assumptions", "Given, from the catalogue, estimated, not read", COLUMNS(hawser_assumption, assumption_column),

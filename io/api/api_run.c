@@ -526,11 +526,11 @@ static int has_single_pair(const Scene *scene)
 static const char *unseen(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
-    if (!def->solver.relax) return "the cable did not come to rest first, of which error bars see too little";
+    if (!def->solver.relax) return "the cable did not come to rest first, for which error bounds are too small";
     for (int k = 0; k < def->n_pieces; ++k)
         if (def->cables[def->pieces[k].cable].bending.rows > 0)
-            return "the cable's bending stiffness falls as it bends, of which error bars see too little";
-    return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
+            return "the cable's bending stiffness falls as it bends, for which error bounds are too small";
+    return has_single_pair(scene) ? "a bend has one pair of rollers, for which error bounds are too small" : NULL;
 }
 
 /* Checks for a setting of the case itself that a second pass would refine: its results would be those of another case.

@@ -61,8 +61,7 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     if (status) return status;
     if (c->def->duration_open) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
-                         c->name);
+                         "%.200s: key 'run.duration': missing: required without a winch that sets a speed", c->name);
     }
     status = cost_check(c->def, err);
     if (!status) status = sim_new(c->def, threads, out, err);
@@ -94,7 +93,8 @@ static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const haw
 
 hawser_status error_inside(hawser_error *err)
 {
-    return error_set(err, HAWSER_ERR_INPUT, "a call-back of the simulation may look and tell, but not make it move");
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "a call-back of the simulation may read it and give commands, but not advance it");
 }
 
 int is_inside(const hawser_sim *s) { return s->inside || (s->leader && s->leader->inside); }
@@ -479,7 +479,7 @@ hawser_status hawser_sim_route_at(const hawser_sim *s, double s_m, hawser_route_
     return HAWSER_OK;
 }
 
-/* Commands and call-backs: checks here errors that only a program can make. */
+/* Commands and call-backs, with checks for errors that only a program can make. */
 
 /* Returns the usual ramp for 0. */
 static double ramp_of(double ramp_s) { return ramp_s >= 0 && ramp_s <= 0 ? COMMAND_RAMP_USUAL : ramp_s; }
@@ -648,7 +648,7 @@ static hawser_status preface_compare(const Preface *file, const Preface *mine, c
     if (differ(file->kernels, mine->kernels)) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.500s' was computed with the instruction set %.20s, this machine uses %.20s: the run would "
-                         "not go on with the same bits; HAWSER_ISA=%.20s goes on where the machine has it",
+                         "not continue bit for bit; set HAWSER_ISA=%.20s where the machine has it",
                          path, file->kernels ? file->kernels : "?", mine->kernels, file->kernels ? file->kernels : "?");
     }
     if (file->inputs != mine->inputs || file->scene != mine->scene) {

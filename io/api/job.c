@@ -987,7 +987,7 @@ static hawser_status calculations_write(const hawser_job *job, hawser_units unit
         text_words(out, "<h1>", pull->name, "</h1>\n");
         if (pull->way == PLAN_BACKWARD)
             text_add(out,
-                     "<p>The job takes it <b>backward</b>, of which the verdict is; below that the answer begins with "
+                     "<p>The job pulls it <b>backward</b>, and the verdict is that way's; the answer below begins with "
                      "the way forward.</p>\n");
         status = case_calculation_body(pull->c, pull->way, units, out, NULL, err);
         text_add(out, "</section>\n");

@@ -152,8 +152,8 @@ static int refused_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const int all = PLAN_WAYS * c->plan.n;
     int n = 0;
-    RefusedRow *const row =
-        table_add(t, "refused", "Closed forms refused: the integrated law stands alone", refused_columns, all);
+    RefusedRow *const row = table_add(
+        t, "refused", "Pieces without a valid closed form: the integrated law alone applies", refused_columns, all);
     for (int i = 0; row && i < all; ++i) {
         const PlanPiece *const piece = &c->plan.way[i % PLAN_WAYS].piece[i / PLAN_WAYS];
         if (!*piece->reason) continue;
@@ -461,7 +461,7 @@ static int machines_add(const Inverse *inverse, TheoryTables *t)
 {
     int n = 0;
     MachineRow *const row =
-        table_add(t, "machines", "Where that many machines stand", machine_columns, PLAN_WAYS * INVERSE_MACHINES_MAX);
+        table_add(t, "machines", "Places of these machines", machine_columns, PLAN_WAYS * INVERSE_MACHINES_MAX);
     for (int k = 0; row && k < PLAN_WAYS; ++k) {
         const InverseMachines *const m = &inverse->machines[k];
         for (int i = 0; i < m->n; ++i) row[n++] = (MachineRow){theory_ways[k], m->at[i], m->takes[i]};
@@ -641,7 +641,7 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
         const double pushed = fmax(c->pulled[PLAN_FORWARD].value, c->pulled[PLAN_BACKWARD].value);
         snprintf(
             row[n++].text, sizeof row->text,
-            "the cable is pushed with up to %.4g kN; what its layers bear is not known ('theory.bears'), and that is "
+            "the cable is pushed with up to %.4g kN; the force that its layers bear is not known ('theory.bears') and "
             "not judged (buckling is, by its limit)",
             pushed / 1e3);
     }

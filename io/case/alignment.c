@@ -188,7 +188,7 @@ hawser_status line_route(const UsedLine *used, const LineOptions *options, Vec3 
     return a->n_plan ? elements_route(a, options, origin, out, err) : corners_route(a, options, origin, out, err);
 }
 
-/* Joins the lines of a file and chooses one. */
+/* Lines of a file: joining and choice. */
 
 LineOptions line_options(void)
 {
@@ -469,7 +469,7 @@ static void line_notes_say(Survey *s, const Alignment *chosen)
     double sum = 0;
     char what[SURVEY_NAME_MAX];
     if (strstr(s->unit, "does not say") && strncmp(s->unit, "as asked", 8))
-        survey_ignore(s, "unit of length: the file does not say it, metres are taken");
+        survey_ignore(s, "unit of length: not given in the file, metres are assumed");
     for (int i = 0; i < s->n; ++i) sum += alignment_measure(&s->alignment[i]).plan_length;
     sum -= alignment_measure(chosen).plan_length;
     const int others = s->n - 1;
@@ -484,7 +484,7 @@ static hawser_status path_find(const CaseReader *r, const CaseNode *section, con
     const CaseNode *const node = case_node_key(section, "file");
     const int absolute = *file == '/';
     *path = NULL;
-    if (!node) return case_key_error(r->err, section, "file", "missing: it says where the line is");
+    if (!node) return case_key_error(r->err, section, "file", "missing: it gives the line");
     if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
     if (!r->folder)
         return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");
@@ -626,7 +626,7 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
     return status;
 }
 
-/* Prepares a line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
+/* A line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
 
 /* Finds the line with the heights; *s is to be cleared. NULL in *profile: the line's own heights. */
 static hawser_status profile_find(const LineOptions *options, Survey *s, const Alignment **profile, hawser_error *err)

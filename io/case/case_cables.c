@@ -613,8 +613,7 @@ static hawser_status members_read(const CaseReader *r, const CaseNode *list, int
         there |= out->member[out->set.kinds - 1] == cable;
     }
     if (there) return HAWSER_OK;
-    return case_key_error(r->err, list, NULL, "'%s', of which the chain is, is not among them",
-                          r->def->cables[cable].name);
+    return case_key_error(r->err, list, NULL, "'%s', the chain's cable, is not among them", r->def->cables[cable].name);
 }
 
 /* Checks the layout and the twist against the number of the thickest cables. node: where they were written. */
@@ -822,7 +821,7 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
 
-/* Where the case does not give its own friction, sets it to the largest one of rollers and floors: the cable runs on
+/* Sets the case's own friction, if it is not given, to the largest one of rollers and floors: the cable runs on
  * these wherever there is no duct and no tray. */
 hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node)
 {

@@ -1064,8 +1064,8 @@ static hawser_status item_edit(Edits *e, const Synonym *s, const yaml_node_pair_
                units_half(e->units, (const char *)value->data.scalar.value, half, sizeof half) &&
                scalar_edit(e, value, half, &status);
     if (!status && !fits)
-        status = error_set(e->err, HAWSER_ERR_INPUT, "%s:%d: '%s' cannot be rewritten: expected a %s that stands there",
-                           e->name, (int)key->start_mark.line + 1, s->other, s->half ? "length" : "value");
+        status = error_set(e->err, HAWSER_ERR_INPUT, "%s:%d: '%s' cannot be rewritten: expected a plain %s", e->name,
+                           (int)key->start_mark.line + 1, s->other, s->half ? "length" : "value");
     return status;
 }
 
@@ -1264,7 +1264,7 @@ hawser_status case_theory_insert(const char *text, const char *name, const char 
     return edits_make(&e, rows_find, out);
 }
 
-/* Writes the tables of a case's keys as a JSON Schema, draft 2020-12, with which editors complete and check a case. A
+/* The tables of a case's keys as a JSON Schema, draft 2020-12, with which editors complete and check a case. A
  * section is a definition under its path. Properties without a schema keyword begin with "x-": the quantity, the unit
  * of a plain number, the meaning of an absent key. */
 

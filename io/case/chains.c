@@ -211,7 +211,7 @@ static hawser_status joins_find(Reading *all)
         if (record->def.joined >= 0 && winch)
             return case_key_error(all->r->err, winch, NULL, "not allowed: the chain is pulled by '%s'", record->join);
         if (record->def.swivel && !record->def.rope)
-            return case_key_error(all->r->err, node, "swivel", "no head is joined to the chain: 'join: %s' says so",
+            return case_key_error(all->r->err, node, "swivel", "no head is joined to the chain, as 'join: %s' would do",
                                   record->def.name);
         if (record->def.rope && case_node_key(node, "place"))
             return case_key_error(all->r->err, node, "place", "a rope lies on the route itself");
@@ -451,7 +451,7 @@ static hawser_status heads_check(const Reading *all)
         if (rope < 0 || fabs(all->def[k].head_at - all->def[rope].head_at) <= APART) continue;
         const int said = case_node_key(all->node[k], "head_at") ? k : rope;
         return case_key_error(all->r->err, all->node[said], "head_at",
-                              "the head of '%s' is at %g m and the tail of '%s' that draws it at %g m: they must be at "
+                              "the head of '%s' is at %g m and the tail of '%s' that pulls it at %g m: they must be at "
                               "one place ('head_at' of a chain that draws others is its tail's)",
                               all->record[k].def.name, all->def[k].head_at, all->record[rope].def.name,
                               all->def[rope].head_at);

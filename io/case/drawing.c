@@ -431,12 +431,12 @@ static hawser_status layer_read(const Drawing *d, const CaseNode *node, Layer *l
         if (given) kind = given;
     }
     if (!status && !kind)
-        status = case_key_error(d->r->err, node, NULL, "says nothing: expected rollers, conveyor, pit or mark");
+        status = case_key_error(d->r->err, node, NULL, "gives no kind: expected rollers, conveyor, pit or mark");
     if (status || !strcmp(kind->key, "mark")) return status;
     layer->what = kind;
     for (size_t k = 0; k < sizeof drawn / sizeof *drawn; ++k) {
         const CaseNode *const given = case_node_key(kind, drawn[k]);
-        if (given) return case_key_error(d->r->err, given, NULL, "not here: the drawing says where");
+        if (given) return case_key_error(d->r->err, given, NULL, "not here: the drawing gives the place");
     }
     return HAWSER_OK;
 }

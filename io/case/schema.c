@@ -91,7 +91,7 @@ hawser_status case_idle_check(const CaseReader *r, const CaseNode *node, int n, 
             snprintf(given + used, sizeof given - used, "%s'%s'", k ? " and " : "", rule[i].beside[k]);
         }
         if (all && !idle->entry) /* the catalogue may give the same in other keys */
-            return case_key_error(r->err, idle, NULL, "says nothing beside %s: leave it out, or change these", given);
+            return case_key_error(r->err, idle, NULL, "has no effect beside %s: leave it out, or change these", given);
     }
     return HAWSER_OK;
 }
@@ -379,7 +379,7 @@ hawser_status case_list_read(const CaseReader *r, const CaseNode *list, size_t s
     return status;
 }
 
-/* Lists the inputs of a case: every key that has a value, and its source. Four sources, in this order: written values,
+/* Inputs of a case: every key that has a value, and its source. Four sources, in this order: written values,
  * in the tree's order (with those that a `type` brought from the catalogue); estimates; the defaults of missing keys in
  * the tables. A default that several items of a list share is listed once, with N for the item. */
 
@@ -588,7 +588,7 @@ hawser_status case_inputs_read(CaseReader *r, const CaseSection *top)
     return status ? status : defaults_add(&g, r->root, top, "", 0);
 }
 
-/* Lists the values that a case does not give itself: those of a `type`, and estimated rigidities. They are collected
+/* Values that a case does not give itself: those of a `type`, and estimated rigidities. They are collected
  * from the tree after all else has been read, for readers of the results. */
 
 static const char GIVEN[] = "given", CATALOGUE[] = "catalogue", ESTIMATED[] = "estimated", NOT_READ[] = "not read";

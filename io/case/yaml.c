@@ -521,7 +521,7 @@ hawser_status case_tree_unpack(const char *text, CaseTree **out, char **name, ha
     return HAWSER_OK;
 }
 
-/* Reads the text of a case from any kind of path, within bounded time and size. */
+/* The text of a case from any kind of path, read within bounded time and size. */
 
 /* Bytes; ms that a pipe may be silent. */
 enum { FILE_MAX = 32 << 20, SILENCE_MAX = 5000 };
@@ -594,10 +594,10 @@ hawser_status case_file_read(const char *path, char **text, size_t *size, hawser
     if (*text) return HAWSER_OK;
     if (reason == ENOMEM) return error_memory(err);
     return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be read: %s", path,
-                     reason == ETIMEDOUT ? "nobody has written into it for 5 s" : strerror(reason));
+                     reason == ETIMEDOUT ? "nothing was written into it for 5 s" : strerror(reason));
 }
 
-/* Writes a tree as a document, JSON with nothing but texts, which is YAML, too: the same values under the same keys,
+/* A tree as a document, JSON with nothing but texts, which is YAML, too: the same values under the same keys,
  * without the places where they were written. */
 
 static void text_put(FILE *out, const char *text)
@@ -902,7 +902,7 @@ static hawser_status parser_complain(const Reading *r, const yaml_parser_t *pars
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
     if (indented_with_tab(text, line))
-        return case_text_error(r->err, r->origin, line, "indented with a tab: YAML wants spaces", NULL);
+        return case_text_error(r->err, r->origin, line, "indented with a tab: YAML requires spaces", NULL);
     char place[CASE_PLACE_MAX];
     if (!r->lines) line = 0;
     error_set(r->err, HAWSER_ERR_INPUT, "%s: not YAML: %s%s%s%s", case_place(r->origin, line, place),

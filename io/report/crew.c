@@ -393,7 +393,7 @@ static void verdict_write(const CrewSheet *sheet, Text *out)
     text_print(out, "<p class=\"verdict %s\">", sheet->page->code);
     text_words(out, "", sheet->page->verdict, "</p>\n");
     if (!strcmp(sheet->page->code, hawser_word_code(HAWSER_NOT_SAFE)))
-        text_add(out, "<p><b>Not to be pulled by this sheet: it says what would happen.</b></p>\n");
+        text_add(out, "<p><b>Do not pull by this sheet: it shows what would happen.</b></p>\n");
 }
 
 static void part_write(const Document *part, const CrewSheet *sheet, Text *out)

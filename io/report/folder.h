@@ -44,7 +44,7 @@ enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
 
 /* Note about a folder of an unfinished run. */
 #define FOLDER_UNFINISHED                                                                                              \
-    "This run has not ended: it is under way, or it was cut off before it could say how it ended. What is shown is "   \
+    "This run has not ended: it is under way, or it was cut off before it could write its outcome. The page shows "    \
     "what it had written by then."
 typedef struct Folder {
     const char *dir; /* path as named by the user; borrowed */

@@ -823,8 +823,8 @@ hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows,
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
 }
 
-/* Rewrites the file from its last state on with every call, in one piece: after a kill, and for readers, it is a
- * complete document. The geometry is a tree, which readers of time series ignore. */
+/* results.xdmf. Every call rewrites the file from its last state on, in one piece: after a kill, and for readers, it is
+ * a complete document. The geometry is a tree, which readers of time series ignore. */
 
 static const char head[] = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                            "<!-- The chain of segment centres, from the tail to the winch; SI units. -->\n"

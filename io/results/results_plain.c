@@ -237,7 +237,7 @@ hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows,
 {
     (void)def, (void)rows;
     return error_set(err, HAWSER_ERR_OUTPUT,
-                     "cannot go on in '%.600s': a run that keeps states (output.states) is gone on with by a hawser "
+                     "cannot go on in '%.600s': a run that keeps states (output.states) requires a hawser "
                      "with HDF5, which this build leaves out (HAWSER_HDF5)",
                      dir->path);
 }

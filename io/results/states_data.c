@@ -28,8 +28,7 @@ const FixedSet geometry_set[] = {
      "at the bottom of a groove; box: half its smallest size; bell-mouth: of its section"},
     {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers), 0, "m", "length along the axis"},
     {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers), 0, "m", "depth of the groove; 0: none"},
-    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N",
-     "what it may carry; NaN: not given"},
+    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N", "rated load; NaN: not given"},
     {"geometry/obstacles/roller", FIXED_COUNT, OF(obstacle_roller, n_obstacles), 0, "1", "which of the rollers it is"},
     {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles), 3, "1", "unit vector across the axis"},
     {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles), 3, "m",
@@ -45,7 +44,7 @@ const FixedSet geometry_set[] = {
     {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m", "corners of the triangles"},
     {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1", "three points each"},
     {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
-     "what it is of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
+     "part of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
     {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
     {"chain/length", FIXED_NUMBER, OF(length, n_segments), 0, "m", "of every segment, unstretched"},
     {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments), 0, "m", "of every segment"},
@@ -174,7 +173,7 @@ static int winch_write(hid_t file, const GeometryWinch *w)
 int geometry_write(hid_t file, const Geometry *g, int *error)
 {
     const hid_t group = h5_group(file, "geometry");
-    int ok = group >= 0 && h5_text(group, "description", "what stands around the cable, where it begins") &&
+    int ok = group >= 0 && h5_text(group, "description", "equipment around the cable, at its initial places") &&
              h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
     if (group >= 0) h5_leave(group);
     for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
@@ -185,7 +184,7 @@ int geometry_write(hid_t file, const Geometry *g, int *error)
     return ok;
 }
 
-/* Checks that the files of a folder belong to one run. Readers of CSV would not ignore a run's identity in a table, so
+/* Check that the files of a folder belong to one run. Readers of CSV would not ignore a run's identity in a table, so
  * that the summary has the hashes of all tables; results.h5 has the run's identity and the hash of the series. */
 
 /* Memory that HDF5 may take to open a file and read two attributes, bytes. */
@@ -303,7 +302,7 @@ static hawser_status companion_check(const OutDir *dir, const char *run, const c
     const char *const said = json_string_value(json_object_get(json, "run"));
     if (json && (!said || strcmp(said, run) != 0))
         status = error_set(err, HAWSER_ERR_INPUT, "'%.600s/%s' does not belong to the summary beside it: %s", dir->path,
-                           name, said ? "it is of another run" : "it does not say of which run it is");
+                           name, said ? "it is of another run" : "it names no run");
     json_decref(json);
     return status;
 }

@@ -66,7 +66,7 @@ ln -s loop "$work/loop"
 run_hawser 2 check folder
 says err "folder: cannot be read: Is a directory"
 run_hawser 2 check fifo
-says err "nobody has written into it"
+says err "nothing was written into it"
 run_hawser 2 check /dev/zero
 says err "not a file"
 run_hawser 2 check large

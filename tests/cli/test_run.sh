@@ -14,7 +14,7 @@ run_hawser 0 run pull.yaml --set chain.0.segment=250mm -o fine
 # the answer comes first: the verdict, the pull with its bar, what to do; no solver's work unless it is asked for
 sed -n 3p "$work/out" | grep -q "^NOT JUDGED" || fail "$what: the verdict is not at the top"
 sed -n 4p "$work/out" | grep -q "^  pull  *mean .* +- " || fail "$what: the pull is not below the verdict"
-says out "the figures are to be trusted: all" "say what is allowed in the case's section 'limits'"
+says out "the figures are to be trusted: all" "give the allowed values in the case's section 'limits'"
 for text in "40 segments" "Where the time went" "Work:" "Balances:" "right-hand sides"; do
     grep -qF "$text" "$work/out" && fail "$what: '$text' is said unasked"
 done

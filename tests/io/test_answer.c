@@ -204,7 +204,7 @@ TEST(answers)
     hawser_sim_answer(sim, HAWSER_SI, said, sizeof said);
     check_has(said, "  assumed        friction at rest 0.2, usually 0.2 to 0.3 (friction.mu_s)\nNOT SAFE: 1 of");
     check_has(said, "\n  pull           mean ");
-    check_has(said, "\n  reached        the cable's front came to ");
+    check_has(said, "\n  reached        the cable's front reached ");
     check_has(said, "\n  worst          sidewall ");
     check_has(said, "allowed 100 N/m");
     check_has(said, "\n  remedy         a radius of ");

@@ -131,7 +131,7 @@ TEST(refused)
         {"bundle", "{cables: 3, lay: 1 m}", "'bundle.lay': only with 'twisted: true'"},
         {"bundle", "{cables: 3, members: [{cable: phase}]}", "'bundle.members': given beside 'cables'"},
         {"bundle", "{members: [{cable: fase}]}", "'fase' is not one of those"},
-        {"bundle", "{members: [{cable: earth, count: 2}]}", "'phase', of which the chain is, is not among them"},
+        {"bundle", "{members: [{cable: earth, count: 2}]}", "'phase', the chain's cable, is not among them"},
         {"bundle", "{members: [{cable: phase}, {cable: phase}]}", "'phase' twice"},
         {"bundle", "{members: []}", "0 kinds of cables"},
         {"bundle", "{members: [{cable: phase, count: 5}]}",

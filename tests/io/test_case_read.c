@@ -113,13 +113,13 @@ TEST(direct_wins_over_shorthand)
     scene_def_clear(&def);
     /* whoever changes E beside EA and EI would change nothing */
     expect_bad(data_text("smallest"), "cables.c", "{E: 1, EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1}",
-               "key 'cables.c.E': says nothing beside 'EA' and 'EI': leave it out, or change these");
+               "key 'cables.c.E': has no effect beside 'EA' and 'EI': leave it out, or change these");
     expect_bad(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, EI_y: 1, EI_z: 1, d: 1 mm, mass: 1}",
-               "key 'cables.c.EI': says nothing beside 'EI_y' and 'EI_z'");
+               "key 'cables.c.EI': has no effect beside 'EI_y' and 'EI_z'");
     expect_bad(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1, density: 7801}",
-               "key 'cables.c.density': says nothing beside 'mass'");
+               "key 'cables.c.density': has no effect beside 'mass'");
     expect_bad(data_text("smallest"), "friction", "{mu: 0.3, mu_s: 0.2, mu_d: 0.1}",
-               "key 'friction.mu': says nothing beside 'mu_s' and 'mu_d'");
+               "key 'friction.mu': has no effect beside 'mu_s' and 'mu_d'");
     expect_good(data_text("smallest"), "friction", "{mu: 0.3, mu_d: 0.1}", &def);
     check_share(def.friction.mu_s, 0.3, 0);
     scene_def_clear(&def);

@@ -233,7 +233,7 @@ TEST(files)
     assert_int_equal(hawser_job_page(job, HAWSER_SI, page, &err), HAWSER_OK);
     char *const text = file_text(page);
     static const char *const parts[] = {"<h1>Pulling calculation: three</h1>", "3 pulls: 2 SAFE", "id=\"pull-3\"",
-                                        "The job takes it <b>backward</b>", "href=\"#pull-2\""};
+                                        "The job pulls it <b>backward</b>", "href=\"#pull-2\""};
     for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k) check_has(text, parts[k]);
     assert_null(strstr(text, "nan"));
     free(text);

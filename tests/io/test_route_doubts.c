@@ -225,7 +225,7 @@ TEST(units_that_are_not_said)
             0, 0, 0, 50, 0, 0) "0\nENDSEC\n0\nEOF\n",
         "0\nSECTION\n2\nENTITIES\n" DXF_LINE(0, 0, 0, 50, 0, 0) "0\nENDSEC\n0\nEOF\n"};
     for (int i = 0; i < 2; ++i) {
-        check_has(said("plan.dxf", drawing[i], ""), "unit of length: the file does not say it, metres are taken");
+        check_has(said("plan.dxf", drawing[i], ""), "unit of length: not given in the file, metres are assumed");
         assert_null(strstr(said("plan.dxf", drawing[i], ", units: m"), "unit of length"));
     }
     assert_null(strstr(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ""), "unit of length"));

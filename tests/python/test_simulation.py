@@ -51,7 +51,7 @@ def test_tables_of_a_simulation_are_those_of_its_results():
     assert simulation.verdict == result.verdict and str(simulation.verdict).split("; ")[0] in " ".join(simulation.answer.split())
     assert list(simulation.trust["name"]) == list(result.trust["name"])
     assert simulation.summary["steps"] == result.summary["steps"]
-    assert simulation.stations.attrs["columns"]["reference_N"] == "the bend ODE"
+    assert simulation.stations.attrs["columns"]["reference_N"] == "by the bend ODE"
 
 
 def test_machines_and_surfaces():
