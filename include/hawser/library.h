@@ -1,4 +1,5 @@
-/* The catalogue, and what a case did not say itself: part of hawser/hawser.h, which includes it. docs/library.md. */
+/* The catalogue, and what a case did not say itself: part of hawser/hawser.h, which includes it.
+ * docs/guide/equipment.md. */
 #ifndef HAWSER_LIBRARY_H
 #define HAWSER_LIBRARY_H
 

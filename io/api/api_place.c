@@ -212,7 +212,7 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     return case_name_error(c, status, err);
 }
 
-/* Where machines or pits go so that all limits hold: what `hawser place` prints and writes. docs/equipment.md. */
+/* Where machines or pits go so that all limits hold: what `hawser place` prints and writes. docs/guide/equipment.md. */
 
 /* (PN14) l/(m mm): lubricant for a metre of duct and a millimetre of its inside diameter, a film of 0.2 mm (American
  * Polywater, Technical Talk, volume XVII). */

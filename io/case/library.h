@@ -1,6 +1,7 @@
-/* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name (docs/library.md).
- * Entries are maps of the case's own keys, in files of YAML: those that are shipped and those that a case includes.
- * What is said of an entry itself stands beside its keys: `source`, `range`, `mark`, `note`. */
+/* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name
+ * (docs/guide/equipment.md). Entries are maps of the case's own keys, in files of YAML: those that are shipped and
+ * those that a case includes. What is said of an entry itself stands beside its keys: `source`, `range`, `mark`,
+ * `note`. */
 #ifndef HAWSER_IO_CASE_LIBRARY_H
 #define HAWSER_IO_CASE_LIBRARY_H
 
