@@ -1,4 +1,4 @@
-/* What a study says: tables of its rows, and what follows from them. docs/studies.md, "Results". */
+/* What a study says: tables of its rows, and what follows from them. docs/guide/studies-and-measured-pulls.md. */
 #ifndef HAWSER_STUDY_FINDINGS_H
 #define HAWSER_STUDY_FINDINGS_H
 

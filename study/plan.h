@@ -1,5 +1,5 @@
 /* A study as its file says it: a base case, what is varied and how, what is looked at; and sample i of it, which is a
- * function of the study and i alone. docs/studies.md describes every key. */
+ * function of the study and i alone. docs/reference/study-keys.md describes every key. */
 #ifndef HAWSER_STUDY_PLAN_H
 #define HAWSER_STUDY_PLAN_H
 

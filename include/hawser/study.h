@@ -1,5 +1,5 @@
-/* Studies: many samples of a case, on all processors; part of hawser/hawser.h, which includes it. docs/studies.md
- * describes the file, the ways to vary, and what comes out. */
+/* Studies: many samples of a case, on all processors; part of hawser/hawser.h, which includes it.
+ * docs/guide/studies-and-measured-pulls.md describes the file, the ways to vary, and what comes out. */
 #ifndef HAWSER_STUDY_H
 #define HAWSER_STUDY_H
 
@@ -54,9 +54,9 @@ typedef struct hawser_compare_options {
     const char *page;     /* an HTML file with figures; NULL: none */
     hawser_format format; /* of the text */
 } hawser_compare_options;
-/* The winch's force that a logger has written (CSV, docs/studies.md) against the run and the theory in a results
- * folder: figures of agreement. *text is malloc'ed: hawser_text_free. options may be NULL. Errors: INPUT (files, no
- * stretch in common), OUTPUT, MEMORY. */
+/* The winch's force that a logger has written (CSV, docs/guide/studies-and-measured-pulls.md) against the run and the
+ * theory in a results folder: figures of agreement. *text is malloc'ed: hawser_text_free. options may be NULL. Errors:
+ * INPUT (files, no stretch in common), OUTPUT, MEMORY. */
 hawser_status hawser_compare(const char *results, const char *log, const hawser_compare_options *options, char **text,
                              hawser_error *err);
 

@@ -1,5 +1,5 @@
-/* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h. docs/studies.md,
- * "On a cluster"; docs/model/92-sensitivities.md. */
+/* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h.
+ * docs/guide/studies-and-measured-pulls.md, "On a cluster"; docs/model/92-sensitivities.md. */
 #ifndef HAWSER_SWEEP_H
 #define HAWSER_SWEEP_H
 
@@ -16,8 +16,8 @@ extern "C" {
 
 /* ------------------------------------------------------------------------------------------------------- clusters */
 
-/* Processes that compute a study together, on as many machines as there are (docs/studies.md, "MPI"): how they talk.
- * Each calls hawser_study_run_on with its own; they have the folder in common. */
+/* Processes that compute a study together, on as many machines as there are (docs/guide/studies-and-measured-pulls.md):
+ * how they talk. Each calls hawser_study_run_on with its own; they have the folder in common. */
 enum { HAWSER_RANK_WORDS = 6 };
 /* Rank 0's data to all; all call it. */
 typedef void (*hawser_ranks_share)(void *user, void *data, size_t size);
