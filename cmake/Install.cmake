@@ -21,7 +21,7 @@ set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${B
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
 list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread -ldl)
 
-# The SONAME's number changes with every change that a program built before could trip over (docs/api.md, "Growing"): below
+# The SONAME's number changes with every change that a program built before could trip over (docs/guide/c.md, "Growing"): below
 # 1.0 with the minor version, from then on with the major one.
 set(hawser_soversion ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)

@@ -1,5 +1,5 @@
 /* Acting on a simulation while it runs, and being called by it; part of hawser/hawser.h, which includes it. What each
- * command does to the motion is in docs/model.md, "Control"; docs/api.md has programs.
+ * command does to the motion is in docs/model.md, "Control"; docs/guide/c.md has programs.
  *
  * A command is given between two calls of hawser_sim_advance. It holds from the time of now on, comes in over its ramp
  * so that speeds and forces stay continuous, and is an event of the run. A case gives the same commands at set times in

@@ -1,6 +1,6 @@
 /* Looking closely at a simulation between two steps; part of hawser/hawser.h, which includes it. Nothing of it is
  * computed before somebody asks. What is handed out is the simulation's and good until the same is asked for again, or
- * the simulation moves on; a row of these tables never grows (docs/api.md, "Growing"). World components, SI. */
+ * the simulation moves on; a row of these tables never grows (docs/guide/c.md, "Growing"). World components, SI. */
 #ifndef HAWSER_QUERY_H
 #define HAWSER_QUERY_H
 
