@@ -1,4 +1,4 @@
-/* An example of a unit that is not hawser's: a winch's controller, for co-simulation by FMI 3.0 (docs/fmi.md, "Two
+/* An example of a unit that is not hawser's: a winch's controller, for co-simulation by FMI 3.0 (docs/guide/fmi.md, "Two
  * units"). In each step it sets the speed to belt + gain (target - force), between standstill and twice the belt's. */
 #include <math.h>
 #include <stdlib.h>
