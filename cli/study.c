@@ -107,8 +107,9 @@ const Command command_study = {"study", "many variants of a case: how likely is 
 static const char job_help[] =
     "Usage: hawser job JOB [options]\n"
     "\n"
-    "Calculates the pulls that the file JOB lists (docs/jobs.md), each in both directions, by theory. Prints a table\n"
-    "with verdict, direction, forces, least margin, trip setting and reel of each pull, the reels and the joint bays.\n"
+    "Calculates the pulls that the file JOB lists (docs/guide/jobs-and-sheets.md), each in both directions, by\n"
+    "theory. Prints a table with verdict, direction, forces, least margin, trip setting and reel of each pull,\n"
+    "the reels and the joint bays.\n"
     "\n"
     "      --report            writes the tables and the calculation of every pull as one page\n"
     "      --pdf               prints that page too, by an installed Chromium; implies --report\n"

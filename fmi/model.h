@@ -1,6 +1,6 @@
 /* What an FMU of a case shows: its variables, in the order of their value references. They follow from the case alone,
- * so that the archive's description and the library inside it, which reads the case again, have the same. docs/guide/fmi.md
- * lists them. */
+ * so that the archive's description and the library inside it, which reads the case again, have the same.
+ * docs/guide/fmi.md lists them. */
 #ifndef HAWSER_FMI_MODEL_MODEL_H
 #define HAWSER_FMI_MODEL_MODEL_H
 

@@ -220,7 +220,8 @@ static hawser_status workbook_make(const Document *doc, char **bytes, size_t *si
 }
 
 /* A job: many pulls, of which each is a case of its own or keys over what is common to all; calculated by theory in
- * both directions, with the reels on which their cables come and the bays between which they lie. docs/jobs.md. */
+ * both directions, with the reels on which their cables come and the bays between which they lie.
+ * docs/guide/jobs-and-sheets.md. */
 
 enum { PULLS_MAX = 10000, REELS_MAX = 10000, SAID_MAX = 320, PATH_MOST = 1024 };
 
