@@ -3,7 +3,7 @@
 
     python3 bench/studies.py build/release/cli/hawser [--samples 100000] [--runs 2000] [--jobs 2]
 
-Clock and processor time, how long the workers were busy, and the largest memory of a process (docs/studies.md, "How it is computed"); on a
+Clock and processor time, how long the workers were busy, and the largest memory of a process (docs/guide/studies-and-measured-pulls.md); on a
 machine that does nothing else the clock counts.
 """
 from __future__ import annotations

@@ -12,7 +12,7 @@ static const char help[] =
     "refers to, and the library that simulates it, for programs that join models of many kinds. The winch's speed or\n"
     "tension, brakes and conveyors are inputs; forces, speeds, margins and the verdict are outputs; the case's "
     "numbers\n"
-    "are parameters (docs/fmi.md).\n"
+    "are parameters (docs/guide/fmi.md).\n"
     "\n"
     "  -o, --output FILE       the file (default: NAME.fmu, NAME from CASE)\n"
     "      --fmi N             the version of the interface: 3 (default) or 2\n"

@@ -59,7 +59,7 @@ static const char library_help[] =
     "Usage: hawser library [KIND [PATTERN]] [options]\n"
     "\n"
     "Lists the catalogue, to which a case refers by 'type: NAME': figures, ranges, marks and sources. KIND is cables,\n"
-    "ropes, rollers, ducts, friction or reels; PATTERN a part of the names. docs/library.md says more.\n"
+    "ropes, rollers, ducts, friction or reels; PATTERN a part of the names. docs/guide/equipment.md says more.\n"
     "\n"
     "hawser library add FILE KIND NAME KEY=VALUE ... puts an entry with a data sheet's values into FILE, a catalogue\n"
     "of your own that a case includes. Values are a case's, as in d=91.5mm mass=15.2kg/m 'conductor={material: "

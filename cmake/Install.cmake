@@ -24,7 +24,7 @@ foreach(name ${HAWSER_SUNDIALS_NAMES})
 endforeach()
 list(APPEND HAWSER_PRIVATE_LIBRARIES -lm -lpthread -ldl)
 
-# The SONAME's number changes with every change that a program built before could trip over (docs/api.md, "Growing"): below
+# The SONAME's number changes with every change that a program built before could trip over (docs/guide/c.md, "Growing"): below
 # 1.0 with the minor version, from then on with the major one.
 set(hawser_soversion ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)

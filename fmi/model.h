@@ -1,5 +1,6 @@
 /* The variables of a case's FMU, in the order of their value references. They follow from the case alone, so that the
- * archive's description and the library inside it, which reads the case again, have the same. docs/fmi.md lists them.
+ * archive's description and the library inside it, which reads the case again, have the same. docs/guide/fmi.md lists
+ * them.
  */
 #ifndef HAWSER_FMI_MODEL_MODEL_H
 #define HAWSER_FMI_MODEL_MODEL_H

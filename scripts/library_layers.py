@@ -1,5 +1,5 @@
 """Writes library/cables-by-layers.yaml: single-core XLPE cables of which no public table of sizes and masses was found, built up layer
-by layer from the thicknesses of public standards (docs/library.md, "Cables by layers").
+by layer from the thicknesses of public standards (docs/guide/equipment.md, "Sources of the catalogue").
 
 Usage: library_layers.py [--check]      (from the project's folder; --check: says whether the file is what this would write)
 """
@@ -75,10 +75,9 @@ def cable(volts, section, metal, inner, outer, bedding, screen, wire, thickness=
 
 
 def text():
-    lines = ["# Written by scripts/library_layers.py: change that. docs/library.md, \"Cables by layers\", has the rule and what it is",
-             "# worth against makers' tables.",
+    lines = ["# Written by scripts/library_layers.py: change that. docs/guide/equipment.md, \"Sources of the catalogue\", says how good the rule is.",
              "sources:",
-             "  layers: built up by layers from IEC 60228, IEC 60502-2, GB/T 11017.2, GB/T 18890.2, GB/T 22078.2 (docs/library.md)",
+             "  layers: built up by layers from IEC 60228, IEC 60502-2, GB/T 11017.2, GB/T 18890.2, GB/T 22078.2 (docs/guide/equipment.md)",
              "cables:"]
     metals = {"cu": "copper", "al": "aluminium"}
     for name, volts, inner, outer, bedding, screen, wire, members in SERIES:

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the Python package: a wheel for every Python from 3.9 on, and says how to install it (docs/python.md).
+# Builds the Python package: a wheel for every Python from 3.9 on, and says how to install it (docs/guide/python.md).
 # Usage: sh scripts/python.sh
 set -eu
 

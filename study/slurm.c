@@ -26,7 +26,8 @@ hawser_status hawser_ranks_open(hawser_ranks *ranks, hawser_error *err)
     *ranks = (hawser_ranks){0};
     if (!path) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%s is not beside the program: hawser was built where there is no MPI (docs/studies.md)",
+                         "%s is not beside the program: hawser was built where there is no MPI "
+                         "(docs/guide/studies-and-measured-pulls.md)",
                          HAWSER_MPI_PLACE);
     }
     void *const library = dlopen(path, RTLD_NOW | RTLD_GLOBAL);

@@ -1,5 +1,5 @@
 /* A case as a functional mock-up unit, which other programs simulate together with models of their own; part of
- * hawser/hawser.h, which includes it. docs/fmi.md describes its content. */
+ * hawser/hawser.h, which includes it. docs/guide/fmi.md describes its content. */
 #ifndef HAWSER_FMU_H
 #define HAWSER_FMU_H
 

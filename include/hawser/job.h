@@ -1,5 +1,5 @@
-/* Many pulls as one job, calculated by theory: part of hawser/hawser.h, which includes it. docs/jobs.md describes the
- * file. */
+/* Many pulls as one job, calculated by theory: part of hawser/hawser.h, which includes it.
+ * docs/guide/jobs-and-sheets.md describes the file. */
 #ifndef HAWSER_JOB_H
 #define HAWSER_JOB_H
 

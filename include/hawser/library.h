@@ -1,5 +1,5 @@
 /* The catalogue, and the values that a case does not give itself: part of hawser/hawser.h, which includes it.
- * docs/library.md. */
+ * docs/guide/equipment.md. */
 #ifndef HAWSER_LIBRARY_H
 #define HAWSER_LIBRARY_H
 

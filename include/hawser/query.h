@@ -1,6 +1,6 @@
 /* Detailed tables of a simulation between two steps; part of hawser/hawser.h, which includes it. A table is computed
  * only when it is requested. It stays the simulation's and is valid until the same one is requested again or the
- * simulation advances; a row of these tables never grows (docs/api.md, "Growing"). World components, SI. */
+ * simulation advances; a row of these tables never grows (docs/guide/c.md, "Growing"). World components, SI. */
 #ifndef HAWSER_QUERY_H
 #define HAWSER_QUERY_H
 

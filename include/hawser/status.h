@@ -38,7 +38,8 @@ typedef struct hawser_error {
     double reserved[16];
 } hawser_error;
 
-/* Versions, of this header and of the library that runs: they may differ within a SONAME (docs/api.md, "Growing"). */
+/* Versions, of this header and of the library that runs: they may differ within a SONAME (docs/guide/c.md, "Growing").
+ */
 #define HAWSER_VERSION_MAJOR  0
 #define HAWSER_VERSION_MINOR  2
 #define HAWSER_VERSION_PATCH  0

@@ -1,5 +1,5 @@
-/* Studies: many samples of a case, on all processors; part of hawser/hawser.h, which includes it. docs/studies.md
- * describes the file, the ways to vary, and the results. */
+/* Studies: many samples of a case, on all processors; part of hawser/hawser.h, which includes it.
+ * docs/guide/studies-and-measured-pulls.md describes the file, the ways to vary, and the results. */
 #ifndef HAWSER_STUDY_H
 #define HAWSER_STUDY_H
 
@@ -55,9 +55,9 @@ typedef struct hawser_compare_options {
     const char *page;     /* an HTML file with figures; NULL: none */
     hawser_format format; /* format of the text */
 } hawser_compare_options;
-/* Compares the winch's force from a logger (CSV, docs/studies.md) with the run and the theory in a results folder:
- * figures of agreement. *text is malloc'ed: hawser_text_free. options may be NULL. Errors: INPUT (files, no stretch in
- * common), OUTPUT, MEMORY. */
+/* Compares the winch's force from a logger (CSV, docs/guide/studies-and-measured-pulls.md) with the run and the theory
+ * in a results folder: figures of agreement. *text is malloc'ed: hawser_text_free. options may be NULL. Errors: INPUT
+ * (files, no stretch in common), OUTPUT, MEMORY. */
 hawser_status hawser_compare(const char *results, const char *log, const hawser_compare_options *options, char **text,
                              hawser_error *err);
 

@@ -1,5 +1,5 @@
-/* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h. docs/studies.md,
- * "On a cluster"; docs/model/92-sensitivities.md. */
+/* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h.
+ * docs/guide/studies-and-measured-pulls.md, "On a cluster"; docs/model/92-sensitivities.md. */
 #ifndef HAWSER_SWEEP_H
 #define HAWSER_SWEEP_H
 
@@ -16,8 +16,9 @@ extern "C" {
 
 /* ------------------------------------------------------------------------------------------------------- clusters */
 
-/* Communication of the processes that compute a study together, on any number of machines (docs/studies.md, "MPI").
- * Each calls hawser_study_run_on with its own; they share the folder. */
+/* Communication of the processes that compute a study together, on any number of machines
+ * (docs/guide/studies-and-measured-pulls.md, "MPI"). Each calls hawser_study_run_on with its own; they share the
+ * folder. */
 enum { HAWSER_RANK_WORDS = 6 };
 /* Sends rank 0's data to all; all call it. */
 typedef void (*hawser_ranks_share)(void *user, void *data, size_t size);

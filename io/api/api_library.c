@@ -129,7 +129,8 @@ static hawser_status list_write(const Library *library, const Units *units, unsi
             row[n++] = row_of(units, e);
         }
     }
-    const Table table = {"entries", "Typical and estimated figures: a maker's data sheet is better (docs/library.md)",
+    const Table table = {"entries",
+                         "Typical and estimated figures: a maker's data sheet is better (docs/guide/equipment.md)",
                          COLUMNS(EntryRow, entry_column), n, row};
     const Fact count = {"entries_found", "entries", "", cell_number(n)};
     const Document doc = {

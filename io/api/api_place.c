@@ -212,7 +212,8 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     return case_name_error(c, status, err);
 }
 
-/* Places for machines or pits with which all limits hold, printed and written by `hawser place`. docs/equipment.md. */
+/* Places for machines or pits with which all limits hold, printed and written by `hawser place`.
+ * docs/guide/equipment.md. */
 
 /* (PN14) l/(m mm): lubricant for a metre of duct and a millimetre of its inside diameter, a film of 0.2 mm (American
  * Polywater, Technical Talk, volume XVII). */

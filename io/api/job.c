@@ -220,7 +220,7 @@ static hawser_status workbook_make(const Document *doc, char **bytes, size_t *si
 }
 
 /* A job: many pulls, each a case of its own or keys over common ones; calculated by theory in both directions, with the
- * reels that carry their cables and the joint bays between them. docs/jobs.md. */
+ * reels that carry their cables and the joint bays between them. docs/guide/jobs-and-sheets.md. */
 
 enum { PULLS_MAX = 10000, REELS_MAX = 10000, SAID_MAX = 320, PATH_MOST = 1024 };
 

@@ -1,6 +1,6 @@
-/* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name (docs/library.md).
- * Entries are maps of the case's own keys, in YAML files: the shipped ones and those that a case includes. Keys about
- * an entry itself stand beside these: `source`, `range`, `mark`, `note`. */
+/* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name
+ * (docs/guide/equipment.md). Entries are maps of the case's own keys, in YAML files: the shipped ones and those that a
+ * case includes. Keys about an entry itself stand beside these: `source`, `range`, `mark`, `note`. */
 #ifndef HAWSER_IO_CASE_LIBRARY_H
 #define HAWSER_IO_CASE_LIBRARY_H
 

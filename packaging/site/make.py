@@ -92,7 +92,7 @@ class Site:
         (folder / "c").mkdir(parents=True)
         names = ["hawser", *sorted(path.stem for path in headers.glob("*.h") if path.stem != "hawser")]
         listed = "".join(f"   c/{name}\n" for name in names)
-        (folder / "c.rst").write_text("C reference\n===========\n\n:doc:`/docs/api` has programs. Each header is a page; ``hawser/hawser.h`` includes all of them.\n\n"
+        (folder / "c.rst").write_text("C reference\n===========\n\n:doc:`/docs/guide/c` has programs. Each header is a page; ``hawser/hawser.h`` includes all of them.\n\n"
                                       f".. toctree::\n   :maxdepth: 1\n\n{listed}", encoding="utf-8")
         for name in names:
             title = f"hawser/{name}.h"
@@ -111,7 +111,7 @@ class Site:
             if not name.startswith("__"):
                 kinds["Functions" if not isinstance(thing, type) else "Exceptions" if issubclass(thing, BaseException) else "Classes"].append(name)
         directive = {"Functions": "autofunction", "Classes": "autoclass", "Exceptions": "autoexception"}
-        text = "Python reference\n================\n\n:doc:`/docs/python` has examples. Units are SI.\n\n.. currentmodule:: hawser\n"
+        text = "Python reference\n================\n\n:doc:`/docs/guide/python` has examples. Units are SI.\n\n.. currentmodule:: hawser\n"
         for kind, names in kinds.items():
             text += f"\n{kind}\n{'-' * len(kind)}\n" + "".join(f"\n.. {directive[kind]}:: {name}\n" for name in names)
         (self.source / "api" / "python.rst").write_text(text, encoding="utf-8")

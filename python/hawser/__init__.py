@@ -4,7 +4,7 @@
     result = hawser.run("case.yaml", set={"friction.mu": 0.3}, progress=True)
     print(result.verdict, result.stations, sep="\\n")
 
-SI units throughout: m, kg, s, N, rad; the names of columns end in theirs. docs/python.md has more.
+SI units throughout: m, kg, s, N, rad; the names of columns end in theirs. docs/guide/python.md has more.
 """
 from hawser._declared import VERSION as __version__
 from hawser._callbacks import Event, Progress, Segment

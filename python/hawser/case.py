@@ -274,7 +274,7 @@ class Case:
         return Theory(json.loads(taken(data)), taken(text))
 
     def fmu(self, path: str | os.PathLike[str], *, version: int = 3) -> pathlib.Path:
-        """Writes the case as a mock-up unit (docs/fmi.md) for programs that simulate it together with other models. version: of FMI,
+        """Writes the case as a mock-up unit (docs/guide/fmi.md) for programs that simulate it together with other models. version: of FMI,
         3 or 2. Returns the path."""
         error = ffi.new("hawser_error *")
         check(lib.hawser_fmu_write(self._c, version, c_path(path), error), error)

@@ -1,4 +1,4 @@
-"""The shipped catalogue of cables, ropes, rollers, ducts, friction and reels (docs/library.md), and what a case may hold."""
+"""The shipped catalogue of cables, ropes, rollers, ducts, friction and reels (docs/guide/equipment.md), and what a case may hold."""
 from __future__ import annotations
 
 import json

@@ -1,4 +1,4 @@
-"""Jobs: many pulls, calculated by theory in one go (docs/jobs.md)."""
+"""Jobs: many pulls, calculated by theory in one go (docs/guide/jobs-and-sheets.md)."""
 from __future__ import annotations
 
 import json
@@ -73,7 +73,7 @@ class Job:
 def job(plan: Plan, *, folder: str | os.PathLike[str] | None = None) -> Job:
     """Calculates all pulls of a job.
 
-    plan:   path of a job's file (docs/jobs.md), or a dict with the same keys
+    plan:   path of a job's file (docs/guide/jobs-and-sheets.md), or a dict with the same keys
     folder: of a dict: where files are looked for that it names (default: the current folder)
     """
     return Job(plan, folder=folder)

@@ -317,7 +317,7 @@ class Result:
 
     def against(self, log: str | os.PathLike[str], *, align: str = "length", shift: float = 0.0, band: float = 0.1, raw: bool = False,
                 page: str | os.PathLike[str] | None = None) -> dict[str, Any]:
-        """How far the winch's force that a logger has written (CSV, docs/studies.md) agrees with this run and with the theory.
+        """How far the winch's force that a logger has written (CSV, docs/guide/studies-and-measured-pulls.md) agrees with this run and with the theory.
 
         align: by "length", the winch's travel, or by the time since the pull's "start"
         shift: m or s, added to where the log is

@@ -1,4 +1,4 @@
-"""Studies: many variants of a case (docs/studies.md).
+"""Studies: many variants of a case (docs/guide/studies-and-measured-pulls.md).
 
 The library computes them on processes that it forks, which a program with threads cannot do: a Python process of its own does it, with
 FILE FOLDER JOBS FRESH as arguments, and prints lines of JSON with how far it is.
@@ -75,7 +75,7 @@ def study(plan: Plan, out: str | os.PathLike[str], *, folder: str | os.PathLike[
           progress: Callable[[dict[str, float]], Any] | None = None) -> Study:
     """Computes a study's samples on all processors. One that was stopped (Ctrl-C) or killed goes on where it was.
 
-    plan:     path of a study's file (docs/studies.md), or a dict with the same keys, whose `case` may be a path, a dict or a Case
+    plan:     path of a study's file (docs/guide/studies-and-measured-pulls.md), or a dict with the same keys, whose `case` may be a path, a dict or a Case
     out:      folder of the results; of a dict its files, too
     folder:   of a dict: where files are looked for that it names (default: the current folder)
     jobs:     worker processes; 0: as many as there are processors

@@ -1,10 +1,10 @@
-# The programs of docs/api.md, compiled against the header and the library, print what they should.
+# The programs of docs/guide/c.md, compiled against the header and the library, print what they should.
 library=$1 source=$2
 hawser=
 . "$source/tests/cli/common.sh"
-what="a program of docs/api.md"
+what="a program of docs/guide/c.md"
 
-awk -v work="$work" '/^```c$/ { n++; on = 1; next } /^```$/ { on = 0 } on { print >(work "/example" n ".c") }' "$source/docs/api.md"
+awk -v work="$work" '/^```c$/ { n++; on = 1; next } /^```$/ { on = 0 } on { print >(work "/example" n ".c") }' "$source/docs/guide/c.md"
 for name in example1 example2 example3; do
     ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$source/include" "$work/$name.c" -o "$work/$name" "$library" \
         -Wl,-rpath,"$(dirname "$library")" || { fail "$what: $name does not compile"; finish; }

@@ -1,6 +1,6 @@
 """Runs one file of tests by pytest; with status 77, which CTest takes for skipped, and a sentence where a package is missing.
 
-Usage: run.py FILE [PACKAGE...]     (packages beside those that hawser itself needs; docs/python.md has their Debian names)
+Usage: run.py FILE [PACKAGE...]     (packages beside those that hawser itself needs; scripts/setup.sh has their Debian names)
 """
 import importlib.util
 import sys

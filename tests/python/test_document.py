@@ -1,4 +1,4 @@
-"""The examples of docs/python.md run as they stand there, one after the other, and print what stands under them."""
+"""The examples of docs/guide/python.md run as they stand there, one after the other, and print what stands under them."""
 from __future__ import annotations
 
 import contextlib
@@ -23,7 +23,7 @@ def alike(said: str, written: str) -> bool:
 
 def test_the_examples(monkeypatch):
     monkeypatch.chdir(ROOT)
-    text = (ROOT / "docs" / "python.md").read_text()
+    text = (ROOT / "docs" / "guide" / "python.md").read_text()
     scope: dict[str, object] = {"__name__": "document"}
     said, compared = None, 0
     for block in BLOCK.finditer(text):
@@ -32,10 +32,10 @@ def test_the_examples(monkeypatch):
         if kind == "python":
             assert not said, f"what the example before line {line} prints does not stand there: {said}"
             with contextlib.redirect_stdout(io.StringIO()) as out:
-                exec(compile("\n" * line + content, "docs/python.md", "exec"), scope)
+                exec(compile("\n" * line + content, "docs/guide/python.md", "exec"), scope)
             said = out.getvalue()
         else:
-            assert said and alike(said, content), f"docs/python.md:{line}: prints\n{said}"
+            assert said and alike(said, content), f"docs/guide/python.md:{line}: prints\n{said}"
             said, compared = None, compared + 1
     assert compared >= 6
 
@@ -43,7 +43,7 @@ def test_the_examples(monkeypatch):
 def test_what_the_document_names_is_there():
     import hawser
 
-    text = (ROOT / "docs" / "python.md").read_text()
+    text = (ROOT / "docs" / "guide" / "python.md").read_text()
     for name in set(re.findall(r"\bhawser\.(\w+)", text)) - {"yaml"}:
         assert hasattr(hawser, name), name
     things = {**vars(hawser.Simulation), **vars(hawser.Simulation.__mro__[1]), **vars(hawser.Result), **vars(hawser.Verdict), **vars(hawser.Certificate),

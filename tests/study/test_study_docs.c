@@ -1,5 +1,5 @@
-/* docs/studies.md says the same as the tables that the reader works from: every section, and every key with its default
- * and what is allowed. */
+/* docs/reference/study-keys.md says the same as the tables that the reader works from: every section, and every key
+ * with its default and what is allowed. */
 #include "tests/study/study_fixture.h"
 
 enum { CELL_MAX = 300 };
@@ -36,14 +36,14 @@ TEST(documented)
     size_t size;
     char *text;
     hawser_error err;
-    assert_int_equal(case_file_read(HAWSER_SOURCE_DIR "/docs/studies.md", &text, &size, &err), HAWSER_OK);
+    assert_int_equal(case_file_read(HAWSER_SOURCE_DIR "/docs/reference/study-keys.md", &text, &size, &err), HAWSER_OK);
     check_at_least(n, 12);
     for (int i = 0; i < n; i++) {
         char heading[CELL_MAX];
         snprintf(heading, sizeof heading, *all[i]->path ? "### `%s`\n" : "### The whole file\n%s", all[i]->path);
         char *const from = strstr(text, heading);
         if (!from) {
-            fail_msg("docs/studies.md has no section %s", heading);
+            fail_msg("docs/reference/study-keys.md has no section %s", heading);
             break;
         }
         char *const next = strstr(from + 4, "\n#"), *const end = next ? next : strchr(from, 0);
@@ -58,7 +58,7 @@ TEST(documented)
             default_cell(key, usual);
             allowed_cell(key, allowed);
             snprintf(row, sizeof row, "\n| `%s` | %s | %s | ", key->name, usual, allowed);
-            if (!strstr(from, row)) fail_msg("docs/studies.md lacks in '%s':%s", all[i]->path, row);
+            if (!strstr(from, row)) fail_msg("docs/reference/study-keys.md lacks in '%s':%s", all[i]->path, row);
         }
         *end = kept;
     }

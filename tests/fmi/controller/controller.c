@@ -1,5 +1,6 @@
-/* An example of a unit that is not hawser's: a winch's controller, for co-simulation by FMI 3.0 (docs/fmi.md, "Two
- * units"). In each step it sets the speed to belt + gain (target - force), between standstill and twice the belt's. */
+/* An example of a unit that is not hawser's: a winch's controller, for co-simulation by FMI 3.0 (docs/guide/fmi.md,
+ * "Two units"). In each step it sets the speed to belt + gain (target - force), between standstill and twice the
+ * belt's. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
