@@ -1,5 +1,5 @@
 /* The engine: samples on worker processes, each row appended whole to its worker's file, so that a study that was
- * killed continues without repeating anything. docs/guide/studies-and-measured-pulls.md, "How it is computed". */
+ * killed continues without repeating anything. docs/guide/studies-and-measured-pulls.md. */
 #ifndef HAWSER_STUDY_EVALUATE_H
 #define HAWSER_STUDY_EVALUATE_H
 

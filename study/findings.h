@@ -1,4 +1,4 @@
-/* Findings of a study: tables of its rows, and conclusions. docs/guide/studies-and-measured-pulls.md, "Results". */
+/* Findings of a study: tables of its rows, and conclusions. docs/guide/studies-and-measured-pulls.md. */
 #ifndef HAWSER_STUDY_FINDINGS_H
 #define HAWSER_STUDY_FINDINGS_H
 

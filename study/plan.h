@@ -1,5 +1,5 @@
 /* A study as its file defines it: a base case, parameters and their variation, quantities; and sample i of it, which is
- * a function of the study and i alone. docs/guide/studies-and-measured-pulls.md describes every key. */
+ * a function of the study and i alone. docs/reference/study-keys.md describes every key. */
 #ifndef HAWSER_STUDY_PLAN_H
 #define HAWSER_STUDY_PLAN_H
 

@@ -17,8 +17,7 @@ extern "C" {
 /* ------------------------------------------------------------------------------------------------------- clusters */
 
 /* Communication of the processes that compute a study together, on any number of machines
- * (docs/guide/studies-and-measured-pulls.md, "MPI"). Each calls hawser_study_run_on with its own; they share the
- * folder. */
+ * (docs/guide/studies-and-measured-pulls.md). Each calls hawser_study_run_on with its own; they share the folder. */
 enum { HAWSER_RANK_WORDS = 6 };
 /* Sends rank 0's data to all; all call it. */
 typedef void (*hawser_ranks_share)(void *user, void *data, size_t size);
