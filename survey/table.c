@@ -744,7 +744,7 @@ static hawser_status heads_read(SurveyInput *in, const Lines *lines, Columns *co
     }
     if (at > 0) {
         char what[SURVEY_NAME_MAX];
-        snprintf(what, sizeof what, "%d line%s above the heads, '%.60s'", at, at > 1 ? "s" : "",
+        snprintf(what, sizeof what, "%d line%s above the row of column names, '%.60s'", at, at > 1 ? "s" : "",
                  lines->text + lines->row[0].at);
         for (char *c = what; *c; ++c) *c = *c == '\x1F' || *c == '\t' ? ' ' : *c;
         survey_ignore(in->out, what);

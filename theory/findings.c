@@ -630,9 +630,10 @@ static void brake_say(const Setup *setup, const Calculator *c, int way, hawser_c
     const Brake *const brake = &c->brake[way];
     const double pushed = held->value / 1e3, by = brake->brake / 1e3, winch = brake->force / 1e3;
     const Finding at = finding_on(c->route, held->value, c->pushed[way].at, c->pushed[way].piece);
-    char why[56] = "the cable would run away or slacken:";
+    char why[64] = "the cable would run away or slacken:";
     if (c->away[way] == AWAY_LOOSENED)
-        snprintf(why, sizeof why, "drive.script: with %.3g of friction it runs away:", friction_least_told(setup));
+        snprintf(why, sizeof why,
+                 "drive.script: with %.3g of friction the cable runs away:", friction_least_told(setup));
     if (isnan(brake->brake)) {
         snprintf(held->remedy, sizeof held->remedy, "%s pushed with %.4g kN, and no brake at the start holds it", why,
                  pushed);

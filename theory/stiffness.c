@@ -13,23 +13,26 @@
 
 /* ------------------------------------------------------------------------------------------ errors, by the laws */
 
-/* The forms are derived, the constants fitted to runs: one bend, level or upright, T = 2 to 10 kN, EI = 5 to 500 N m2,
- * 200 N/m, the contact law's defaults (docs/model/12-mesh.md). Runs, and the law's figure in brackets:
+/* clang-format off: a table
+ * The forms are derived, the constants fitted to runs: one bend, level or upright, T = 2 to 10 kN, EI = 5 to 500 N m2,
+ * 200 N/m, the contact law's defaults (docs/model/12-mesh.md). Columns: runs, and the law's figure in brackets.
  *
- *   law              constants         what was run                                          extra pull
+ *   law              constants         runs                                                  extra pull
  *   (ME1) bend       3.4, 7.9          bench/results/mesh_laws.md
- *   (ME10) surface   5                 likewise; without it stiff cables are rated 10 to 50 times too badly
- *   (ME2) duct       0.4, 1.45, 5, 3.5 400 bends drawn at random, 1.6 times what fits them
- *   (ME3) jammed     0.16, 3, 13       45, 90, 180 deg, h = 0.5 m, room 1 mm                 802, 840, 1143 N
+ *   (ME10) surface   5                 the same; without it errors of stiff cables come out 10 to 50 times too large
+ *   (ME2) duct       0.4, 1.45, 5, 3.5 random bends, 1.6 times the fit
+ *   (ME3) jammed     0.16, 3, 13       45, 90, 180 deg, h = 0.5 m, clearance 1 mm            802, 840, 1143 N
  *   (ME4) pairs      0.17, 0.12        segments that reach over more than one pair
  *   (ME12) corners   0.17              29 deg, R 13 m, EI 600, h = 125, 250, 350 mm          2, 12, 25 N (3, 12, 23)
  *                                      the same, EI 2000                                     8, 39, 78 N (9, 39, 76)
  *                                      60 deg, R 5 m, EI 600                                 4, 23, 54 N (6, 23, 45)
- *   (ME13) askew     none is fitted    34 deg, R 4.4 m, 200 N, h = 150, 200, 300 mm          1.3, 3.1, 10.2 %
- * (1.7, 3.9, 12.6) (ME5) one side   0.25, 5.7 (ME6) wheel      0.09              half a turn, mu 0.2, h/R = 0.1, 0.2,
- * 0.3, 0.5         0.08, 0.37, 0.83, 2.2 % less (ME9) sag        1.25, 5.7         a 2 m, T 2 kN, lambda 0.22 m, h =
- * 500, 250, 125 mm    16, 3.7, 0.7 % (15, 2.9, 0.4) the same, limp                                        32, 15, 5 %
- * (31, 16, 8) */
+ *   (ME13) askew     none is fitted    34 deg, R 4.4 m, 200 N, h = 150, 200, 300 mm          1.3, 3.1, 10.2 % (1.7, 3.9, 12.6)
+ *   (ME5) one side   0.25, 5.7
+ *   (ME6) wheel      0.09              half a turn, mu 0.2, h/R = 0.1, 0.2, 0.3, 0.5         0.08, 0.37, 0.83, 2.2 % less
+ *   (ME9) sag        1.25, 5.7         span 2 m, T 2 kN, lambda 0.22 m, h = 500, 250, 125 mm 16, 3.7, 0.7 % (15, 2.9, 0.4)
+ *                                      the same, limp                                        32, 15, 5 % (31, 16, 8)
+ */
+/* clang-format on */
 
 /* Height of the arc over a chord of length h. */
 static double sagitta(const MeshPlace *p, double h) { return h * h / (8 * p->radius); }

@@ -577,7 +577,8 @@ hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route
 {
     RouteRow *row = NULL;
     if (!r || !out) return error_argument(err, r ? "out" : "r");
-    if (!isfinite(s_m)) return error_set(err, HAWSER_ERR_INPUT, "a place of %g m along the route", s_m);
+    if (!isfinite(s_m))
+        return error_set(err, HAWSER_ERR_INPUT, "the place along the route, %g m, is not a finite number", s_m);
     const hawser_status status = row_build(r, i, &row, err);
     if (status) return status;
     const RoutePoint p = route_at(&row->use->route, s_m);

@@ -224,7 +224,7 @@ static hawser_status tray_key(const CaseReader *r, const CaseNode *node, const c
 {
     const CaseNode *given = case_node_key(node, key);
     if (allowed || !given) return HAWSER_OK;
-    return case_key_error(r->err, given, NULL, "not allowed for a tray of this section");
+    return case_key_error(r->err, given, NULL, "not allowed for a tray with this cross-section");
 }
 
 /* Checks a flat tray: its width between the sides, or overall. */
@@ -275,8 +275,8 @@ static hawser_status tray_finish(const CaseReader *r, const CaseNode *node, int 
     if (!status) status = slopes_check(r, node, s);
     if (!status && s->depth < s->cable_radius - PRESS_MAX) {
         status = case_key_error(r->err, node, "depth",
-                                "%g m is too small: the cable begins on the route, %g m thick to its skin", s->depth,
-                                s->cable_radius);
+                                "%g m is too small: the cable lies on the route at the start and has a radius of %g m",
+                                s->depth, s->cable_radius);
     }
     return status;
 }

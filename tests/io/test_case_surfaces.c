@@ -79,8 +79,9 @@ TEST(sizes_are_checked)
     expect_bad(CASE("{trays: [{width: 7 m}]}"), NULL, NULL, "must be below the radius of the bend");
     expect_bad(CASE("{trays: [{section: u}]}"), NULL, NULL, "key 'surfaces.trays.0.radius': missing");
     expect_bad(CASE("{trays: [{section: u, radius: 4 cm}]}"), NULL, NULL, "is too small");
-    expect_bad(CASE("{trays: [{section: v, width: 1 m}]}"), NULL, NULL, "not allowed for a tray of this section");
-    expect_bad(CASE("{trays: [{angle: 90 deg}]}"), NULL, NULL, "not allowed for a tray of this section");
+    expect_bad(CASE("{trays: [{section: v, width: 1 m}]}"), NULL, NULL,
+               "not allowed for a tray with this cross-section");
+    expect_bad(CASE("{trays: [{angle: 90 deg}]}"), NULL, NULL, "not allowed for a tray with this cross-section");
     expect_bad(CASE("{trays: [{depth: 40 mm}]}"), NULL, NULL, "key 'surfaces.trays.0.depth': 0.04 m is too small");
     expect_bad(CASE("{contact: {e: 1.2}}"), NULL, NULL, "key 'surfaces.contact.k': missing");
 }

@@ -283,7 +283,7 @@ TEST(friction_that_fails)
                {"[{at: 1 s, do: friction, factor: 0}]", 0}};
     for (int k = 0; k < 4; k++) {
         json_t *const all = theory_of(text, (const char *const[]){"drive.script", row[k].script, NULL});
-        verdict_has(all, row[k].holds ? "SAFE: all" : "of friction it runs away");
+        verdict_has(all, row[k].holds ? "SAFE: all" : "of friction the cable runs away");
         assert_int_equal(limit_of(all, "run_away") > 0, !row[k].holds);
         check_has(json_string_value(json_object_get(all, "verdict_backward")), "SAFE: all");
         json_decref(all);
@@ -439,7 +439,7 @@ TEST(friction_of_one_duct)
                                   "{ducts: [{name: hill, radius: 60 mm, place: resting, to: 40 m}, {name: flat, "
                                   "radius: 60 mm, place: resting, from: 40 m}]}",
                                   "drive.script", script, NULL});
-        verdict_has(all, k ? "drive.script: with 0.5 of friction it runs away" : "SAFE: all");
+        verdict_has(all, k ? "drive.script: with 0.5 of friction the cable runs away" : "SAFE: all");
         json_decref(all);
     }
 }
