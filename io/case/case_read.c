@@ -28,7 +28,8 @@ static const char *const motion_choices[] = {"dynamic", "auto", "quasi-static", 
 
 static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 
-static const char *const solvers[] = {"auto", "block", "bordered", "klu", NULL};
+/* In the order of LinKind; behind them older names of klu. */
+static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
@@ -152,6 +153,7 @@ static hawser_status solver_read(CaseReader *r, const CaseNode *node)
     const CaseNode *const given = case_node_key(node, "accuracy");
     hawser_status status = case_section_read(r, node, &case_solver, solver);
     solver->linear.threads = solver->threads;
+    if (solver->linear.kind > LIN_KLU) solver->linear.kind = LIN_KLU; /* an older name */
     solver->accuracy = ACCURACY;
     if (!status && solver->method == METHOD_ESDIRK && scene_def_sticks(r->def))
         return case_value_error(r->err, case_node_key(node, "method"), ": friction that sticks needs bdf");
@@ -1313,10 +1315,10 @@ static void number_set(Writer *w, json_t *o, const CaseKey *key)
 /* The meaning of a key, behind it the range of a number or the form of another value. */
 static void description_set(Writer *w, json_t *o, const CaseSection *section, const CaseKey *key)
 {
-    char more[CASE_RANGE_MAX + CASE_FORM_MAX] = "", *text = NULL;
-    const char *const meaning = case_key_meaning(section, key);
-    if (key->kind == KEY_NUMBER) case_range_text(key, more);
-    if (key->form || (key->kind == KEY_MAP && key->section)) case_form_text(key, more);
+    char room[CASE_RANGE_MAX + CASE_FORM_MAX], *text = NULL;
+    const char *const meaning = case_key_meaning(section, key), *more = "";
+    if (key->kind == KEY_NUMBER) more = case_range_text(key, room);
+    if (key->form || (key->kind == KEY_MAP && key->section)) more = case_form_text(key, room);
     if (*meaning && asprintf(&text, *more ? "%s (%s)" : "%s", meaning, more) < 0) w->failed = 1;
     put_text(w, o, "description", text ? text : more);
     free(text);

@@ -205,7 +205,7 @@ static const struct {
     {"drive.winch.trip.then", "Once the winch stands for good the run goes on, or it ends (outcome is then tripped)."},
     {"friction.d_s", "stick: displacement that calls up the whole coefficient."},
     {"friction.law", "adams: friction depends on the speed alone, and what it holds creeps. stick: it gives way like a spring and holds."},
-    {"friction.mu", "Coefficient, for both of the next two; not beside both of them, where it would say nothing."},
+    {"friction.mu", "Coefficient at rest and in motion; not beside both mu_s and mu_d, which would leave it no meaning."},
     {"friction.mu_d", "Coefficient from the speed v_d on; not above mu_s."},
     {"friction.mu_s", "Coefficient at the speed v_s, the largest."},
     {"friction.type", "Jacket, duct and lubricant; what is given beside it wins."},
@@ -527,7 +527,7 @@ static const struct {
     {"solver.accuracy", "One number for all tolerances: smaller is more accurate and slower. auto is 1e-3, and a quarter of that in each finer pass."},
     {"solver.first_step", "First time step; 0: chosen."},
     {"solver.imperfection", "The bow to the side, as a share of a half wave, of a cable that theory has pushed with more than 0.7 of the load at which it snakes or bows (BK10); 0: none, and the run is not trusted. Other runs have none."},
-    {"solver.linear_solver", "Solver of the Newton matrix; auto takes what suits the scene."},
+    {"solver.linear_solver", "Solver of the Newton matrix; auto takes what suits the scene. klu-full, band and dense are older names of klu."},
     {"solver.max_order", "Highest order of the BDF method; above 2 it may be unstable for little damping. No reason for auto to take it."},
     {"solver.max_step", "Longest time step; 0: the output interval."},
     {"solver.max_steps", "Most steps allowed; 0: no limit."},
@@ -614,7 +614,7 @@ static const struct {
     /* clang-format on */
 };
 
-/* What holds of a section as a whole, by its path. */
+/* Rules for a section as a whole, by its path. */
 static const struct {
     const char *path, *note;
 } notes[] = {
@@ -652,7 +652,7 @@ static const struct {
     {"rollers.along.rule", "Rollers placed by rule. Roller, gap and rating are the row's."},
     {"rollers.along.spin.motor", "One of torque, speed and factor. Positive is with the pull; about its own axis for a roller of the list. Speeds are those of the roller's surface at its radius."},
     {"rollers.list.N", "A roller, wherever it is, may not be inside the cable as that lies on the route at the start: its surface must be at least the cable's radius less 1 mm from the line. Rollers come with all their rows first, then those of the list; 100 000 are allowed."},
-    {"route", "The line is given in one of four ways: pieces end to end, points with rounded corners or a spline through them, plan with a profile, or a file (below). Coordinates may be a surveyor's, of any size. A route out of a file. route: {file: tunnel.dxf, layer: CENTRE} takes the line from the drawing each time the case is read, so that a changed drawing changes the run. Read are DXF drawings, LandXML, IFC alignments, tables (CSV, TSV, .xlsx, .ods), GeoJSON, GPX, KML (KMZ) and shapefiles; which it is the file itself says. hawser route FILE lists the lines of a file, how long they are and what was not read. Where several could be meant, name or layer must say which; in a drawing the pieces of a layer are joined where their ends meet within join, and the longest line is taken if no other has a tenth of its length. Elements that join within 1 mm and 1 mrad are laid end to end as they are; other lines, and lines of points, are fitted by straights, arcs and clothoids; a gap between elements, or a jump of the profile, by more than tolerance is refused. In either case the route may be off the file's line by tolerance, else the case is refused. Corners that are left in a profile are rounded by transition_radius. A DWG drawing is saved as DXF first. A case that is a text has no folder, and names no files."},
+    {"route", "The line is given in one of four ways: pieces end to end, points with rounded corners or a spline through them, plan with a profile, or a file. Coordinates may be a surveyor's, of any size. A route out of a file. route: {file: tunnel.dxf, layer: CENTRE} takes the line from the drawing each time the case is read, so that a changed drawing changes the run. Read are DXF drawings, LandXML, IFC alignments, tables (CSV, TSV, .xlsx, .ods), GeoJSON, GPX, KML (KMZ) and shapefiles; which it is the file itself says. hawser route FILE lists the lines of a file, how long they are and what was not read. Where several could be meant, name or layer must say which; in a drawing the pieces of a layer are joined where their ends meet within join, and the longest line is taken if no other has a tenth of its length. Elements that join within 1 mm and 1 mrad are laid end to end as they are; other lines, and lines of points, are fitted by straights, arcs and clothoids; a gap between elements, or a jump of the profile, by more than tolerance is refused. In either case the route may be off the file's line by tolerance, else the case is refused. Corners that are left in a profile are rounded by transition_radius. A DWG drawing is saved as DXF first. A case that is a text has no folder, and names no files."},
     {"route.pieces.N", "Each is a straight, a bend, a clothoid or a parabola, and begins where the one before it ends, in the same direction. A bend to the left or right keeps the grade on which it begins, as a helix whose radius and angle are those of its plan, unless grade: plane is said; an arc that begins level or upright lies in a plane anyway."},
     {"route.plan.N", "The line as seen from above: each a line, an arc or a clothoid."},
     {"route.profile", "A map of these, or the list of corners alone. Corners belong to a plan; with route.file the profile is another file: a table of station and height, an alignment over the same stations, points beside the line, or a drawn profile with stations along x and heights along y."},

@@ -38,7 +38,7 @@ enum {
     TO = SEVEN ? 5 : 7
 };
 
-/* Of CVODE's own structure: */
+/* Offsets in CVODE's own structure: */
 enum {
     AT_HISTORY = MEM(cv_zn, 96),    /* pointers to its 13 vectors */
     AT_ORDER = MEM(cv_q, 288),      /* int: of the next step's prediction */

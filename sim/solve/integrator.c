@@ -393,8 +393,7 @@ void custom_linear_free(CustomLinear *linear)
 
 enum { MESSAGE_LENGTH = 256 };
 
-/* What CVODE reports goes to `message`, the last of it, and not to the standard error. messages_keep returns 0: no
- * memory. */
+/* CVODE's last message goes to `message`, and not to the standard error. messages_keep returns 0: no memory. */
 #if SUNDIALS_VERSION_MAJOR < 7
 static void message_keep(int code, const char *module, const char *function, char *text, void *message)
 {

@@ -73,6 +73,13 @@ def main(hawser, *folders):
             failed += 1
             print(f"{path}: {'/'.join(map(str, error.absolute_path))}: {error.message[:200]}")
     assert cases > 100, cases
+    # What an editor shows: the meaning of a key, behind it the range of a number or the form of another value.
+    for key, begins, ends in (("cables.NAME/mass", "Mass per length.", "(above 0 kg/m, at most 1e6 kg/m)"),
+                              ("/gravity", "One number acts straight down", "(an acceleration downward, or [x, y, z])"),
+                              ("/reel", "What the cable comes from.", "(section `reel`)")):
+        section, name = key.split("/")
+        text = (schema["$defs"][section] if section else schema)["properties"][name]["description"]
+        assert text.startswith(begins) and text.endswith(ends), text
     assert validator.is_valid(yaml.load(CASE, Loader)) and not refused(hawser, CASE)
     for right, wrong, place in WRONG:
         text = CASE.replace(right, wrong)

@@ -213,13 +213,14 @@ TEST(words_mean_what_they_say)
     static const struct {
         const char *word;
         LinKind kind;
-    } kinds[] = {{"auto", LIN_AUTO}, {"block", LIN_BLOCK}, {"bordered", LIN_BORDERED}, {"klu", LIN_KLU}};
+    } kinds[] = {{"auto", LIN_AUTO},    {"block", LIN_BLOCK}, {"bordered", LIN_BORDERED}, {"klu", LIN_KLU},
+                 {"klu-full", LIN_KLU}, {"band", LIN_KLU},    {"dense", LIN_KLU}};
     static const struct {
         const char *word;
         LinOrdering ordering;
     } orderings[] = {{"auto", ORDER_AUTO}, {"amd", ORDER_AMD}, {"colamd", ORDER_COLAMD}, {"metis", ORDER_METIS}};
     SceneDef def;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 7; k++) {
         expect_good(data_text("smallest"), "solver.linear_solver", kinds[k].word, &def);
         assert_int_equal(def.solver.linear.kind, kinds[k].kind);
         scene_def_clear(&def);
