@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What long segments add to a pull through one bend: measured against segments of 62.5 mm, and what the laws of docs/model/12-mesh.md
+"""What long segments add to a pull through one bend: measured against segments of 62.5 mm, and what the laws of docs/theory/12-mesh.md
 foretell (the value of the condition `mesh`).
 
     python3 bench/mesh_laws.py --build build/release [--rows FILE] [--document bench/results/mesh_laws.md] [--jobs 1]

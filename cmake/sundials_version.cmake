@@ -1,4 +1,4 @@
-# The versions of SUNDIALS whose integrator hawser knows how to reshape in mid-run (docs/model.md, "The integrator goes on").
+# The versions of SUNDIALS whose integrator hawser knows how to reshape in mid-run (docs/theory.md, "The integrator goes on").
 # 6.4.1 and 7.1.1 are what it was tested with. Whether the history is where it should be is looked at again whenever
 # an integrator starts.
 set(HAWSER_SUNDIALS_FROM 6.4)

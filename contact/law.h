@@ -1,5 +1,5 @@
 /* Contact force laws with their derivatives: ADAMS' IMPACT and its two-speed friction, as functions of gap
- * and speed. docs/model.md, "Contact". */
+ * and speed. docs/theory.md, "Contact". */
 #ifndef HAWSER_CONTACT_LAW_H
 #define HAWSER_CONTACT_LAW_H
 
@@ -15,7 +15,7 @@ typedef struct ImpactLaw {
 } ImpactLaw;
 
 /* Friction coefficient over sliding speed: odd STEP from 0 to mu_s at v_s, STEP to mu_d at v_d, constant
- * beyond. With d_s > 0 it sticks: docs/model.md, "Friction that sticks". */
+ * beyond. With d_s > 0 it sticks: docs/theory.md, "Friction that sticks". */
 typedef struct FrictionLaw {
     double mu_s, mu_d;
     double v_s, v_d; /* m/s, 0 < v_s < v_d */
@@ -40,7 +40,7 @@ double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
 /* Presumed contact forces during Newton's search for an equilibrium: each contact's law is a straight line about its
  * presumed force, so that a light rope neither leaves the rollers that bear it nor is thrown back by those that it
- * penetrates. docs/model/44-positions.md (PS11)-(PS13). */
+ * penetrates. docs/theory/44-positions.md (PS11)-(PS13). */
 typedef enum PresumeFrom {
     PRESUME_GAPS, /* from the gaps alone, by the law itself */
     PRESUME_LAST, /* from the contact forces of an equilibrium nearby (PS13) */
@@ -56,7 +56,7 @@ typedef struct Presume {
 /* Presumed force of the spring alone, N. `before`: N, in the equilibrium nearby, or presumed until now (0: no contact);
  * gap: m, negative: penetration; mass: kg, of its segment. For surfaces everything is per metre of cable. */
 double presume_force(const Presume *how, const ImpactLaw *law, double before, double gap, double mass);
-/* Effect of contacts of one kind on the motion, summed over the contacts of one call; docs/model.md, "Balances". */
+/* Effect of contacts of one kind on the motion, summed over the contacts of one call; docs/theory.md, "Balances". */
 typedef struct ContactTally {
     double friction, damping; /* W, taken out of the motion (BA5) */
     double edges;             /* W, work of the surfaces' fades on the motion (BA10) */
@@ -64,7 +64,7 @@ typedef struct ContactTally {
     double force[3];          /* N, on the cable */
 } ContactTally;
 
-/* State of contacts that stick, kept between steps: the lean of each one's bristle. docs/model.md, "Friction that
+/* State of contacts that stick, kept between steps: the lean of each one's bristle. docs/theory.md, "Friction that
  * sticks".
  *
  * The record of a step is read by every evaluation until the next step is accepted, so forces stay pure functions of

@@ -1,5 +1,5 @@
 /* The contact laws of LANES contacts at once: IMPACT, friction, friction that sticks. Rollers and surfaces, space and
- * plane, forces and derivatives use these functions; law_scalar.c offers one lane of them. docs/model.md, "Contact"
+ * plane, forces and derivatives use these functions; law_scalar.c offers one lane of them. docs/theory.md, "Contact"
  * and "Friction that sticks"; letters as there. */
 #ifndef HAWSER_CONTACT_LAW_LANES_H
 #define HAWSER_CONTACT_LAW_LANES_H
@@ -172,7 +172,7 @@ LANE_INLINE Lane3 rub_keep(const LaneRub *rub, const LaneFriction *law, Lane3 n,
 }
 
 /* Sums over the contacts of one call, kept lane by lane so that no sum waits for the one before it; in space and in the
- * plane. docs/model.md, "Balances". */
+ * plane. docs/theory.md, "Balances". */
 
 typedef struct TallyLanes {
     double friction[LANES], damping[LANES], energy[LANES], force[3][LANES]; /* in the plane force[2] stays zero */

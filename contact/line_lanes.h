@@ -1,5 +1,5 @@
 /* The contact line of LANES elements at once: its points, and the one nearest to a shape. Derivation and
- * equation numbers: docs/model.md, "Contact line"; letters as there. */
+ * equation numbers: docs/theory.md, "Contact line"; letters as there. */
 #ifndef HAWSER_CONTACT_LINE_LANES_H
 #define HAWSER_CONTACT_LINE_LANES_H
 

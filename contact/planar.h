@@ -1,5 +1,5 @@
 /* Contact of a chain that moves in a plane with fixed rollers whose axes are normal to it: circles. The same line,
- * ownership of contacts and laws as in contact/roller.h, so that the forces are those in space. docs/model.md, "Planar
+ * ownership of contacts and laws as in contact/roller.h, so that the forces are those in space. docs/theory.md, "Planar
  * chain".
  *
  * The candidates are those that contact_refresh found in space. */

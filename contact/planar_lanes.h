@@ -1,5 +1,5 @@
 /* Contact of LANES elements of a planar line with a circle each: nearest point, motion, force. Letters and numbers as
- * in docs/model.md, "Contact line" and "Planar chain". */
+ * in docs/theory.md, "Contact line" and "Planar chain". */
 #ifndef HAWSER_CONTACT_PLANAR_LANES_H
 #define HAWSER_CONTACT_PLANAR_LANES_H
 

@@ -121,7 +121,7 @@ typedef struct ContactKernels {
 ISA_KERNELS(ContactKernels, contact_kernels)
 
 /* Contact between the cable's line and rollers, fixed or moving: pairs that can touch, their forces, and the
- * derivatives of these. docs/model.md, "Contact".
+ * derivatives of these. docs/theory.md, "Contact".
  *
  * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as soon as
  * contact_moved_too_far returns 1 (between steps) -> contact_pairs_free. Forces are pure functions of chain and

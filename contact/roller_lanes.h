@@ -1,5 +1,5 @@
 /* The forces of LANES contacts at once: shared by the force and the derivative kernels. Derivation and equation
- * numbers: docs/model.md, "Contact"; letters as there. */
+ * numbers: docs/theory.md, "Contact"; letters as there. */
 #ifndef HAWSER_CONTACT_ROLLER_LANES_H
 #define HAWSER_CONTACT_ROLLER_LANES_H
 

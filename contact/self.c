@@ -293,7 +293,7 @@ static void bed_vary(const Patch *p, const Vec3 w_by[2], double radius_by, Vec3 
 }
 
 /* Derivatives of a patch's wrenches, one coordinate of one segment at a time: from the coordinate to the ends of the
- * piece, from there to the forces, and on to the segments. docs/model.md, "Cable on cable", (CC13)-(CC17). */
+ * piece, from there to the forces, and on to the segments. docs/theory.md, "Cable on cable", (CC13)-(CC17). */
 
 /* Change of the piece's two ends and of the radius by a coordinate. */
 typedef struct Ends {
@@ -1144,7 +1144,7 @@ SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPair
     return deepest;
 }
 
-/* Skips ranges: stretches of two lines that had a gap and have not approached each other by as much. docs/model.md,
+/* Skips ranges: stretches of two lines that had a gap and have not approached each other by as much. docs/theory.md,
  * "Cable on cable", (CC27), (CC28). */
 
 enum { CONTROLS = 4 };

@@ -1,5 +1,5 @@
 /* The contact of a piece of one cable's line with another stretch of line: the integral of an elastic bed over the
- * piece, damping, friction, and the derivatives of all that. docs/model.md, "Cable on cable"; letters as there. */
+ * piece, damping, friction, and the derivatives of all that. docs/theory.md, "Cable on cable"; letters as there. */
 #ifndef HAWSER_CONTACT_SELF_H
 #define HAWSER_CONTACT_SELF_H
 
@@ -95,7 +95,7 @@ typedef struct PatchWrench {
 
 /* Finds the pressed part of the piece, and the forces on its ends (CC2)-(CC6); 0 if it is not pressed anywhere. */
 int bed_integrate(Patch *patch, const PatchLaw *law);
-/* Contact of the cable with itself: layers, crossings, loops; and of several cables with each other. docs/model.md,
+/* Contact of the cable with itself: layers, crossings, loops; and of several cables with each other. docs/theory.md,
  * "Cable on cable", "Several chains".
  *
  * Life as in contact/roller.h: alloc -> refresh -> forces and blocks -> refresh again as soon as self_moved_too_far

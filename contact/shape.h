@@ -1,4 +1,4 @@
-/* Shapes that the cable can touch, as signed distance functions. docs/model.md, "Contact", "Grooved rollers", "Boxes,
+/* Shapes that the cable can touch, as signed distance functions. docs/theory.md, "Contact", "Grooved rollers", "Boxes,
  * edges and bell-mouths".
  *
  * A further kind needs: its data in Shape, its distance and its form in shape_probe.c, and its function over lanes,
@@ -79,7 +79,7 @@ double shape_distance(const Shape *shape, Vec3 p);
 ShapeProbe shape_probe(const Shape *shape, int face, Vec3 p);
 /* Distance from the axis at which a straight cable of this radius (m) rests across the middle of the shape, m (GR6). */
 double shape_seat(const Shape *shape, double cable_radius);
-/* The cable's contact line, cut into elements of at most two segments. docs/model.md, "Contact line".
+/* The cable's contact line, cut into elements of at most two segments. docs/theory.md, "Contact line".
  *
  * smooth:   n+1 elements, numbered like the joints: element j is the arc from the centre of segment j-1 to
  * that of segment j; element 0 is the tail's half segment, element n the head's. cylinder: n elements:
@@ -121,7 +121,7 @@ Sphere element_sphere(const Element *element, const Chain *chain, const Kinemati
 void line_stand(const Kinematics *kin, int n, double *const at_p[3], double *const at_a[3]);
 int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit);
 /* A binary tree of spheres over the elements, in their order: the chain's own order is the spatial order, so nothing is
- * sorted. Children of node i are 2i and 2i + 1. docs/model.md, "Candidates". */
+ * sorted. Children of node i are 2i and 2i + 1. docs/theory.md, "Candidates". */
 typedef struct SphereTree {
     int leaves;   /* power of two >= elements */
     Sphere *node; /* [2 leaves]; node[leaves + e] is element e's (C18); a negative radius: nothing there */

@@ -1,4 +1,4 @@
-/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/model.md, "Contact". */
+/* Distance, normal and curvature of LANES points against LANES shapes of one kind. docs/theory.md, "Contact". */
 #ifndef HAWSER_CONTACT_SHAPE_LANES_H
 #define HAWSER_CONTACT_SHAPE_LANES_H
 
@@ -83,7 +83,7 @@ LANE_INLINE Lane3 probe_hessian_times(const LaneProbe *probe, Lane3 v)
 }
 
 /* Distance, normal and curvature of LANES points against grooved rollers: the counterpart of shape_cylinder for
- * profiles with a groove. docs/model.md, "Grooved rollers".
+ * profiles with a groove. docs/theory.md, "Grooved rollers".
  *
  * Everything happens in the half plane through the axis that holds the point: rho and zeta are the point's distance
  * from the axis and along it. Its nearest surface point is in the same half plane, on one of: the groove's wall (a
@@ -194,7 +194,7 @@ static __attribute__((noinline, unused)) void shape_grooved(ShapeKind kind, cons
 }
 
 /* Distance, normal and curvature of LANES points against obstacles: boxes with rounded edges and bell-mouths.
- * docs/model.md, "Boxes, edges and bell-mouths". */
+ * docs/theory.md, "Boxes, edges and bell-mouths". */
 
 /* Members as in BoxSection and BellRing; centre, axis, radius and half width are in LaneShape. */
 typedef struct LaneBox {
@@ -337,7 +337,7 @@ LANE_INLINE Lane shape_slope(ShapeKind kind, const LaneShape *s, const LaneForm 
 }
 
 /* Weights of an element's two segments at a point of the contact line, for LANES elements at once, the same in space
- * and in a plane. docs/model.md, "Contact line". */
+ * and in a plane. docs/theory.md, "Contact line". */
 
 /* The weights of the two bodies (C2), or their derivatives by u. */
 typedef struct LaneWeights {

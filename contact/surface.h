@@ -1,5 +1,5 @@
 /* The shape of ducts, trays, floors and walls: patches, each one face of a cross-section that is swept along a straight
- * or an arc. docs/model.md, "Surfaces". */
+ * or an arc. docs/theory.md, "Surfaces". */
 #ifndef HAWSER_CONTACT_SURFACE_H
 #define HAWSER_CONTACT_SURFACE_H
 
@@ -87,7 +87,7 @@ enum { SURFACE_WAY_MAX = 2 };
  * to the last bit, where the next one starts. Moves *s to the part's end. rolls: the section has a top, and needs the
  * roll that keeps it level. Returns the number of patches: two arcs for a part of a curve, else one. */
 int surface_way(const Route *route, double *s, double last, int rolls, SurfacePatch way[SURFACE_WAY_MAX]);
-/* The data of contact with surfaces, shared by surface.c and its kernels. docs/model.md, "Surfaces". */
+/* The data of contact with surfaces, shared by surface.c and its kernels. docs/theory.md, "Surfaces". */
 
 enum { SURFACE_POINTS = 2 }; /* Gauss points of an element (DU1) */
 
@@ -119,8 +119,8 @@ typedef struct SurfaceRange {
 } SurfaceRange;
 
 /* State of friction that sticks on surfaces, kept between steps: the lean of each point's bristle against each face.
- * docs/model.md, "Friction that sticks". The points are fixed on the cable, so a lean stays with its point; arrays over
- * elements, as the kernels need them. Part of a run's state, beside y, as StickStore is. */
+ * docs/theory.md, "Friction that sticks". The points are fixed on the cable, so a lean stays with its point; arrays
+ * over elements, as the kernels need them. Part of a run's state, beside y, as StickStore is. */
 
 /* One face of a surface that sticks. */
 typedef struct SurfaceBed {
@@ -208,7 +208,7 @@ typedef struct SurfaceKernels {
 ISA_KERNELS(SurfaceKernels, surface_kernels)
 
 /* Contact between the cable's line and surfaces that bear it along a length: ducts, trays, floors, walls.
- * docs/model.md, "Surfaces".
+ * docs/theory.md, "Surfaces".
  *
  * Unlike a roller, which the line touches where it comes nearest, a surface acts at fixed points of every element of
  * the line, each with a share of the cable's length (DU1): its stiffness does not depend on how the cable is cut.

@@ -1,5 +1,5 @@
 /* LANES points against one patch: their place along its way, distance, normal and weight. Derivation and equation
- * numbers: docs/model.md, "Surfaces"; letters as there. */
+ * numbers: docs/theory.md, "Surfaces"; letters as there. */
 #ifndef HAWSER_CONTACT_SURFACE_LANES_H
 #define HAWSER_CONTACT_SURFACE_LANES_H
 
@@ -179,7 +179,7 @@ LANE_INLINE SurfaceShare surface_share(const SurfacePatch *patch, const SurfaceP
 }
 
 /* LANES points of the cable's line against one patch: shared by the force and the derivative kernels. Derivation and
- * equation numbers: docs/model.md, "Surfaces"; letters as there. */
+ * equation numbers: docs/theory.md, "Surfaces"; letters as there. */
 
 /* A strip's bodies, and the lanes that hold elements. */
 typedef struct StripBodies {

@@ -1,5 +1,5 @@
 /* The segments as rigid bodies: state to kinematics, loads to accelerations, and the derivatives of inertia.
- * docs/model.md, "Segments". */
+ * docs/theory.md, "Segments". */
 #ifndef HAWSER_CORE_BODY_H
 #define HAWSER_CORE_BODY_H
 
@@ -21,7 +21,7 @@ Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
 /* Loss of a step in time: the work of all forces along the path of the bodies, less their gain of kinetic energy; and
- * their kinetic energy at the end, J. docs/model.md, "Balances" (BA11). */
+ * their kinetic energy at the end, J. docs/theory.md, "Balances" (BA11). */
 typedef struct MethodLoss {
     double lost, moving;
 } MethodLoss;

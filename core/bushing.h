@@ -1,5 +1,5 @@
 /* The six-component bushings between neighbouring segments: their wrenches and the derivatives of these.
- * docs/model.md, "Bushing". */
+ * docs/theory.md, "Bushing". */
 #ifndef HAWSER_CORE_BUSHING_H
 #define HAWSER_CORE_BUSHING_H
 

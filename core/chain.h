@@ -10,14 +10,14 @@
 #include "core/checkpoint.h"
 #include "core/vec3.h"
 
-/* Frame of a bushing's components. docs/model.md, "Bushing". */
+/* Frame of a bushing's components. docs/theory.md, "Bushing". */
 typedef enum BushingFrame {
     FRAME_SYMMETRIC, /* the mid-frame, from a potential: energy-consistent (default) */
     FRAME_ADAMS      /* the second marker's frame (marker J), as in the paper */
 } BushingFrame;
 
 /* Hysteresis of a joint's bending law: springs with a slider each, beside the elastic bending springs, the same in both
- * directions (HY4). docs/model.md, "Bending with hysteresis". */
+ * directions (HY4). docs/theory.md, "Bending with hysteresis". */
 enum { SLIDERS_MAX = 14 };
 typedef struct Sliders {
     int count;                      /* per joint, 0: none; joints that need fewer have springs of no stiffness */

@@ -1,4 +1,4 @@
-/* The sliders of LANES joints at once: moment, tangent and slip of bending with hysteresis; docs/model.md, "Bending
+/* The sliders of LANES joints at once: moment, tangent and slip of bending with hysteresis; docs/theory.md, "Bending
  * with hysteresis". Rotations and moments are the two bending components, y and z, in the bushing's frame. */
 #ifndef HAWSER_CORE_JOINT_LANES_H
 #define HAWSER_CORE_JOINT_LANES_H
@@ -87,7 +87,7 @@ LANE_INLINE void sliders_slip(const Chain *chain, Kinematics *kin, int jj, Lane3
     }
 }
 
-/* Geometry and wrench of LANES bushings at once, for the force and the derivative kernels; docs/model.md, "Bushing".
+/* Geometry and wrench of LANES bushings at once, for the force and the derivative kernels; docs/theory.md, "Bushing".
  * Letters as there: A the segment before the joint, B the one after; vectors are in the frame F, or world (_w). */
 
 /* Columns of a rotation: R e_x, R e_y, R e_z. */

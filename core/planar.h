@@ -1,5 +1,5 @@
 /* A chain that moves in one plane: three degrees of freedom per segment (two coordinates, one angle), and the functions
- * of core/body.h and core/bushing.h in that plane. docs/model.md, "Planar chain".
+ * of core/body.h and core/bushing.h in that plane. docs/theory.md, "Planar chain".
  *
  * The state y of n segments is PLANAR_SIZE arrays of `stride`, n rounded up to whole lanes, one after the other: x z
  * phi vx vz omega; m, rad, m/s, rad/s, along the plane's own axes. The entries behind the n-th of each array are zero,

@@ -1,4 +1,4 @@
-/* The kernels of core/planar.h for one instruction set. Letters as in docs/model.md, "Planar chain". */
+/* The kernels of core/planar.h for one instruction set. Letters as in docs/theory.md, "Planar chain". */
 #include "core/planar.h"
 #include "core/plane_lanes.h"
 

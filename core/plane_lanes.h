@@ -1,4 +1,4 @@
-/* Plane vectors of lanes, and the sine and cosine of lanes. docs/model.md, "Planar chain". */
+/* Plane vectors of lanes, and the sine and cosine of lanes. docs/theory.md, "Planar chain". */
 #ifndef HAWSER_CORE_PLANE_LANES_H
 #define HAWSER_CORE_PLANE_LANES_H
 

@@ -1,4 +1,4 @@
-/* Time profiles: constants, ADAMS' STEP and STEP5 ramps, tables. docs/model.md, "Profiles". */
+/* Time profiles: constants, ADAMS' STEP and STEP5 ramps, tables. docs/theory.md, "Profiles". */
 #ifndef HAWSER_CORE_PROFILE_H
 #define HAWSER_CORE_PROFILE_H
 

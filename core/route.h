@@ -1,6 +1,6 @@
 /* A route: pieces end to end in three dimensions, with continuous tangents: straights, bends in a plane, and curves
  * (clothoids, helices, plan and profile together, cubics). It is the intended line of the cable's centre. s is the arc
- * length from the start, m. docs/model.md, "Routes". Lists of pieces from points, plans and profiles are made by
+ * length from the start, m. docs/theory.md, "Routes". Lists of pieces from points, plans and profiles are made by
  * functions further down. */
 #ifndef HAWSER_CORE_ROUTE_H
 #define HAWSER_CORE_ROUTE_H
@@ -125,7 +125,7 @@ const char *route_piece_word(const RoutePiece *piece);
 
 /* Lists of pieces from the data of surveyors and designers: straights with slopes, points with fillets or a spline
  * through them, plan and profile by station. Readers of tables and drawings fill the plain structs below and get a
- * RouteLine for route_build. docs/model.md, "Routes". */
+ * RouteLine for route_build. docs/theory.md, "Routes". */
 
 /* Arguments of route_build. */
 typedef struct RouteLine {

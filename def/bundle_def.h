@@ -1,4 +1,4 @@
-/* Several cables pulled together as one: properties of the whole set, and the effect of twisting. docs/model.md,
+/* Several cables pulled together as one: properties of the whole set, and the effect of twisting. docs/theory.md,
  * "Bundles". */
 #ifndef HAWSER_DEF_BUNDLE_DEF_H
 #define HAWSER_DEF_BUNDLE_DEF_H
@@ -51,7 +51,7 @@ typedef struct LayFactors {
 LayFactors bundle_lay(const BundleSet *set, const BundleShape *shape, double EI, double GJ);
 const char *weight_correction_name(WeightCorrection correction);
 /* Several cables pulled together, and the equivalent cable in a scene: a part of SceneDef (def/scene_def.h).
- * docs/model.md, "Bundles". */
+ * docs/theory.md, "Bundles". */
 
 struct SceneDef;
 

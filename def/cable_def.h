@@ -1,4 +1,4 @@
-/* Rigidities of a cable with known diameter and mass, perhaps also conductors: docs/model/66-cable-stiffness.md. An
+/* Rigidities of a cable with known diameter and mass, perhaps also conductors: docs/theory/66-cable-stiffness.md. An
  * estimate, not a data sheet: it comes with its uncertainty. */
 #ifndef HAWSER_DEF_CABLE_DEF_H
 #define HAWSER_DEF_CABLE_DEF_H
@@ -87,7 +87,7 @@ typedef struct ChainPieceDef {
 } ChainPieceDef;
 
 /* Several chains that are pulled together: parts of SceneDef (def/scene_def.h), which describes one of them.
- * docs/model.md, "Several chains". */
+ * docs/theory.md, "Several chains". */
 
 enum { STRANDS_MAX = 24 };
 

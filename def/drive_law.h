@@ -36,7 +36,7 @@ double conveyor_grip(const ConveyorDef *def, double clamp);
 
 /* ------------------------------------------------------------------------------------------ bearings and motors */
 
-/* Resistance of a roller's bearing. docs/model.md, "Bearing and spin". */
+/* Resistance of a roller's bearing. docs/theory.md, "Bearing and spin". */
 typedef struct Bearing {
     double friction; /* coefficient at the journal */
     double journal;  /* m, its radius */

@@ -1,5 +1,5 @@
 /* Several cables in one duct: their layout, its effect on friction and sidewall pressure, and the risk of jamming.
- * docs/model.md, "Several cables in a duct", (T19)-(T23), and "Bundles". */
+ * docs/theory.md, "Several cables in a duct", (T19)-(T23), and "Bundles". */
 #ifndef HAWSER_DEF_DUCT_H
 #define HAWSER_DEF_DUCT_H
 
@@ -68,7 +68,7 @@ const char *duct_layout_name(DuctLayout layout);
 int duct_layout_cables(DuctLayout layout);
 const char *jam_risk_name(JamRisk risk);
 
-/* ---- Layout of several separate cables beside each other. docs/model.md, "Several chains" (SC2), (SC3). */
+/* ---- Layout of several separate cables beside each other. docs/theory.md, "Several chains" (SC2), (SC3). */
 
 typedef enum LayPattern {
     LAY_FLAT,       /* a row */

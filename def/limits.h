@@ -93,7 +93,7 @@ void allowed_say(Allowed allowed, char *text, size_t size);
 const char *code_name(int code);
 /* Copies row i in SI, for printing the table; returns 0 if there is none. */
 int code_row(size_t i, CodeRule *out);
-/* Strength of a cable, its rope and its rollers, and whether a pull respects it. docs/model.md, "Limits". */
+/* Strength of a cable, its rope and its rollers, and whether a pull respects it. docs/theory.md, "Limits". */
 
 /* Source of sidewall pressure and bend radius. AUTO: the code's. CHINESE: GB 50217. */
 typedef enum LimitPractice {

@@ -59,7 +59,7 @@ typedef struct RodDef {
     RodMassDef *masses; /* owned */
 } RodDef;
 
-/* ---- The line of a rod at t = 0: straight, arc, helix or polyline. docs/model.md, "Rods" (RD1), (RD2). */
+/* ---- The line of a rod at t = 0: straight, arc, helix or polyline. docs/theory.md, "Rods" (RD1), (RD2). */
 
 /* The line, ready to be evaluated; borrows the definition. */
 typedef struct RodLine {

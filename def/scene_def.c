@@ -289,7 +289,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     return error_memory(err);
 }
 
-/* The same scene with finer numerical settings; the physical model stays. docs/model.md, "Certificates" (CE1). */
+/* The same scene with finer numerical settings; the physical model stays. docs/theory.md, "Certificates" (CE1). */
 
 /* One level of time halves its error (CE1): accuracy by four, the longest step by the root of two, v_s by two. One
  * level of length does so too: segments by two. */

@@ -20,7 +20,7 @@
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 
-/* A fluid that fills all space with a uniform current. docs/model/82-medium.md (MD1)-(MD6). */
+/* A fluid that fills all space with a uniform current. docs/theory/82-medium.md (MD1)-(MD6). */
 typedef struct MediumDef {
     double density;            /* kg/m3; 0: there is none */
     Vec3 velocity;             /* m/s: the current or the wind */

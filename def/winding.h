@@ -1,5 +1,5 @@
 /* Winding of cable on a drum: layers of equal turns between two flanges. Everything is a continuous function of the
- * length wound, counted from the drum's barrel. docs/model.md, "Reel and take-in" (RL1)-(RL5). */
+ * length wound, counted from the drum's barrel. docs/theory.md, "Reel and take-in" (RL1)-(RL5). */
 #ifndef HAWSER_DEF_WINDING_H
 #define HAWSER_DEF_WINDING_H
 
@@ -31,7 +31,7 @@ double winding_radius(const Winding *w, double length, double *slope);
 double winding_inertia(const Winding *w, double length);
 /* Point of the cable at `length` m from its inner end. */
 WindingPoint winding_point(const Winding *w, double length);
-/* Lay of a cable on a drum with contact at every turn, and whether it fits. docs/model.md, "A wound drum" (CC22),
+/* Lay of a cable on a drum with contact at every turn, and whether it fits. docs/theory.md, "A wound drum" (CC22),
  * (CC23). */
 
 /* The lay: radii and lateral places as functions of the angle from its inner end (CC22), (CC23). */

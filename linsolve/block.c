@@ -289,7 +289,7 @@ int block_row_pivoted(const BlockFactor *f, const BlockRow *row)
 }
 
 /* The back end `block-sparse`: a chain, or several, with blocks anywhere off the three diagonals. The factors' pattern
- * follows from the blocks that are not zero at present; without any it is the twisted block LU. docs/model.md, "Linear
+ * follows from the blocks that are not zero at present; without any it is the twisted block LU. docs/theory.md, "Linear
  * solvers", (L15)-(L19). */
 
 typedef struct BlockSparseSolver {

@@ -1,5 +1,5 @@
 /* The LU of blocks with couplings anywhere: several chains in contact. Its data, and the kernels of every instruction
- * set. docs/model.md, "Linear solvers", (L15)-(L19). */
+ * set. docs/theory.md, "Linear solvers", (L15)-(L19). */
 #ifndef HAWSER_LINSOLVE_BLOCK_H
 #define HAWSER_LINSOLVE_BLOCK_H
 

@@ -1,4 +1,4 @@
-/* The twisted block LU of a block chain: its data and the kernels of every instruction set. docs/model.md, "Linear
+/* The twisted block LU of a block chain: its data and the kernels of every instruction set. docs/theory.md, "Linear
  * solvers", (L1)-(L8). */
 #ifndef HAWSER_LINSOLVE_BLOCK_FACTOR_H
 #define HAWSER_LINSOLVE_BLOCK_FACTOR_H

@@ -1,6 +1,6 @@
 /* Kernels of the twisted block LU, written once over columns of a block; block6_lanes.c and block3_lanes.c set the
  * sizes (BLOCK_B, the padded length BLOCK_W, the vector length BLOCK_PART, the table's BLOCK_NAME) and include this.
- * Letters and numbers as in docs/model.md, "Linear solvers". */
+ * Letters and numbers as in docs/theory.md, "Linear solvers". */
 #ifndef HAWSER_LINSOLVE_BLOCK_LANES_H
 #define HAWSER_LINSOLVE_BLOCK_LANES_H
 

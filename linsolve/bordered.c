@@ -1,5 +1,5 @@
 /* Elimination of the leaf bodies of a NewtonMatrix: each is condensed into the one or two chain blocks that it touches,
- * which keeps the chain block tridiagonal. docs/model.md, "Linear solvers", (L9)-(L10). */
+ * which keeps the chain block tridiagonal. docs/theory.md, "Linear solvers", (L9)-(L10). */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +149,7 @@ static void leaves_back(const Leaves *s, const double *chain, double *leaf)
 }
 
 /* The block LU with leaf bodies condensed into the chain and a dense border around it: the back end `bordered`.
- * docs/model.md, "Linear solvers", (L9)-(L11). */
+ * docs/theory.md, "Linear solvers", (L9)-(L11). */
 
 /* Letters of (L11): inner matrix A (chain and leaves), border columns B, rows C, corner E; P = A^-1 B, S = E - C P. */
 typedef struct BorderedSolver {

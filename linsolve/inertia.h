@@ -1,5 +1,5 @@
 /* Counts the directions in which a symmetric block tridiagonal matrix is negative: for the stability of equilibria.
- * docs/model.md, "Rods" (RD24), (RD16). */
+ * docs/theory.md, "Rods" (RD24), (RD16). */
 #ifndef HAWSER_LINSOLVE_INERTIA_H
 #define HAWSER_LINSOLVE_INERTIA_H
 

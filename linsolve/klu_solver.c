@@ -1,5 +1,5 @@
 /* KLU for any pattern: one symbolic analysis, refactorisation while the pivots remain good, otherwise a full
- * factorisation. docs/model.md, "Linear solvers", (L12)-(L14). */
+ * factorisation. docs/theory.md, "Linear solvers", (L12)-(L14). */
 #include <float.h>
 #include <klu.h>
 #include <metis.h>

@@ -1,5 +1,6 @@
 /* The linear solvers of the Newton matrix: one contract, several back ends. A solver is made for a pattern, then
- * factors and solves any number of times. docs/model.md, "Linear solvers"; the measured choice: docs/performance.md. */
+ * factors and solves any number of times. docs/theory.md, "Linear solvers"; the measured choice: docs/performance.md.
+ */
 #ifndef HAWSER_LINSOLVE_LINSOLVE_H
 #define HAWSER_LINSOLVE_LINSOLVE_H
 

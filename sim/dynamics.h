@@ -1,4 +1,4 @@
-/* The chain's weight, and the part of it that the lead-in behind the route bears. docs/model.md, "Loads" (F1). */
+/* The chain's weight, and the part of it that the lead-in behind the route bears. docs/theory.md, "Loads" (F1). */
 #ifndef HAWSER_SIM_DYNAMICS_H
 #define HAWSER_SIM_DYNAMICS_H
 
@@ -15,7 +15,7 @@ int weight_first_past(int n, int dims, const double *const p[], const double *or
                       double past);
 /* Adds the derivatives of these loads to the diagonal blocks of k and d. */
 void weight_blocks(const Scene *scene, const Kinematics *kin, BlockChain *k, BlockChain *d);
-/* The equations of motion of a scene: loads, right-hand side and its derivative blocks. docs/model.md, "Corridor".
+/* The equations of motion of a scene: loads, right-hand side and its derivative blocks. docs/theory.md, "Corridor".
  * Everything here is a pure function of (t, y), given a workspace whose contact candidates are fresh enough. */
 
 enum { PARTS = 2 }; /* parts into which the work is split, whatever the number of threads: results never depend on it */
@@ -120,7 +120,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
 /* Finds new candidate pairs for the kinematics in the workspace. Errors: MEMORY. */
 hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err);
 /* ---- The terms of the balances at one state, from what the equations of motion have computed there
- * (sim/run/balance.c). docs/model.md, "Balances" (BA1)-(BA8). */
+ * (sim/run/balance.c). docs/theory.md, "Balances" (BA1)-(BA8). */
 /* Adds the sums of the last evaluation of the equations of motion, without the equipment: joints, lead-in. */
 void balance_gather(const Workspace *ws, BalanceRates *out);
 /* Computes all rates of a chain in space: those of balance_gather at the last evaluation, the others at (t, y), for

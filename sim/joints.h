@@ -1,4 +1,4 @@
-/* Springs and dampers of the joints from the data of the cables. docs/model.md, "Bushing" (B15), "Bending with
+/* Springs and dampers of the joints from the data of the cables. docs/theory.md, "Bushing" (B15), "Bending with
  * hysteresis" (HY1)-(HY12). */
 #ifndef HAWSER_SIM_JOINTS_H
 #define HAWSER_SIM_JOINTS_H
@@ -33,10 +33,10 @@ hawser_status joints_sliders(Scene *scene, hawser_error *err);
  * Errors: MEMORY. */
 hawser_status joints_rest(Scene *scene, int end, hawser_error *err);
 /* Bends the resting shape to the side, by `curvature` (1/m) times two waves along the cable, the longer one of
- * `wave_number` (1/m): the imperfection of a cable in compression, docs/model/60-theory.md (BK10). Errors: MEMORY. */
+ * `wave_number` (1/m): the imperfection of a cable in compression, docs/theory/60-theory.md (BK10). Errors: MEMORY. */
 hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err);
 /* ---- First-loading curves of bending (sim/joints.c): moment over rotation, concave and piecewise linear, for half a
- * segment or for a joint of two, and the sliders that reproduce such a curve. docs/model.md, "Bending with
+ * segment or for a joint of two, and the sliders that reproduce such a curve. docs/theory.md, "Bending with
  * hysteresis". */
 
 /* Piece i has compliance[i] up to moment[i]; the last piece has no end. */

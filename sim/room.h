@@ -1,4 +1,4 @@
-/* The terms of a scene's balances of energy and momentum. docs/model.md, "Balances" (BA1)-(BA3). */
+/* The terms of a scene's balances of energy and momentum. docs/theory.md, "Balances" (BA1)-(BA3). */
 #ifndef HAWSER_SIM_ROOM_H
 #define HAWSER_SIM_ROOM_H
 
@@ -93,7 +93,7 @@ static inline void balance_contact(BalanceRates *out, BalanceLoss friction, int 
     out->push[who] = v3_add(out->push[who], v3(by->force[0], by->force[1], by->force[2]));
 }
 
-/* Commands to a running simulation, and how their effects are saved. docs/model.md, "Control". */
+/* Commands to a running simulation, and how their effects are saved. docs/theory.md, "Control". */
 
 /* Ramp from the value that a profile has at t to another value (K1). */
 static inline Profile command_ramp(const Profile *now, double t, double to, double ramp)

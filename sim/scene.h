@@ -44,7 +44,7 @@ typedef struct Surfaces {
 } Surfaces;
 
 /* Interaction of several chains: written by sim/solve/chains.c, read by the equipment kind of their figures.
- * docs/model.md, "Several chains" (SC11)-(SC15). */
+ * docs/theory.md, "Several chains" (SC11)-(SC15). */
 typedef struct ChainLook {
     double pull;      /* N, at its head: of its winch, or of the joint to its rope */
     double share;     /* part of the pull of all chains that are not ropes */

@@ -147,7 +147,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
 }
 
 /* s, C/K of the joints. Below this, damping along the cable is so light that one-step methods reach any relevant error
- * for less than a BDF does (docs/model.md, "One-step integration"). */
+ * for less than a BDF does (docs/theory.md, "One-step integration"). */
 static const double LIGHTLY_DAMPED = 0.5e-3;
 
 /* Resolves `auto` once for the whole chain, by the time in which the slowest joint gives way along the cable. Only a

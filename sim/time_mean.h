@@ -1,6 +1,6 @@
 /* Mean and mean square of a value over time, by the trapezoidal rule over a window, and its peak over the whole run;
  * also the figures that its error bounds need: the variation while a segment of the mesh passes, and the sharpness of
- * the peak (docs/model.md, "Error bars"). */
+ * the peak (docs/theory.md, "Error bars"). */
 #ifndef HAWSER_SIM_TIME_MEAN_H
 #define HAWSER_SIM_TIME_MEAN_H
 

@@ -194,7 +194,7 @@ hawser_status study_identity(const Study *s, const char *also, uint64_t *out, ha
     return HAWSER_OK;
 }
 
-/* Winch force of a run by the place of the cable's head, as a log of it would show: docs/model/96-measured-pulls.md,
+/* Winch force of a run by the place of the cable's head, as a log of it would show: docs/theory/96-measured-pulls.md,
  * "Fit". */
 
 /* Adds a point after each step. A second pass restarts the curve: its results replace the first's. */

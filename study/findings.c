@@ -439,7 +439,7 @@ void findings_free(Findings *f)
 }
 
 /* Response of a quantity as one parameter goes from its low to its high values while the others vary: tornado and
- * response curves. docs/model/94-studies.md, "Responses". */
+ * response curves. docs/theory/94-studies.md, "Responses". */
 
 /* A sample: value of a parameter and of the quantity. */
 typedef struct Pair {

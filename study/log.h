@@ -1,5 +1,5 @@
 /* A measured pull: the winch's force over time or length, as a logger wrote it, and which readings are reliable.
- * docs/guide/studies-and-measured-pulls.md; docs/model/96-measured-pulls.md. */
+ * docs/guide/studies-and-measured-pulls.md; docs/theory/96-measured-pulls.md. */
 #ifndef HAWSER_STUDY_LOG_H
 #define HAWSER_STUDY_LOG_H
 

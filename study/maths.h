@@ -1,4 +1,4 @@
-/* Distributions of parameters by their quantiles, alone and correlated. docs/model/94-studies.md, "Distributions". */
+/* Distributions of parameters by their quantiles, alone and correlated. docs/theory/94-studies.md, "Distributions". */
 #ifndef HAWSER_STUDY_MATHS_H
 #define HAWSER_STUDY_MATHS_H
 
@@ -31,7 +31,7 @@ int correlation_factor(int n, const double *r, double *l);
 /* Applies a Gaussian copula (DI6): u[n], independent in (0, 1), get these correlations of their normal scores. z:
  * scratch [n]. */
 void correlation_apply(int n, const double *l, double *u, double *z);
-/* Statistics of a quantity from samples, with their accuracy. docs/model/94-studies.md, "Estimates". */
+/* Statistics of a quantity from samples, with their accuracy. docs/theory/94-studies.md, "Estimates". */
 
 /* A share or probability with its 95 % confidence interval. */
 typedef struct Share {
@@ -58,7 +58,7 @@ double quantile_of_sorted(int n, const double *x, double p);
 /* Moves the finite ones to the front, rising; returns their number. */
 int sort_finite(int n, double *x);
 /* Points of the unit cube, each a function of a seed and its number alone: sample i has the same point in every
- * process. docs/model/94-studies.md, "Points". */
+ * process. docs/theory/94-studies.md, "Points". */
 
 /* Four words from six, Philox-4x32-10: J. Salmon, M. Moraes, R. Dror, D. Shaw, "Parallel random numbers: as easy as
  * 1, 2, 3", SC11 (2011). */
@@ -92,7 +92,7 @@ double points_at(PointKind kind, uint64_t seed, uint64_t i, uint64_t n, int j);
 /* Digits of Sobol's sequence in base 2, most significant first, without scrambling: point i, dimension j. */
 uint32_t sobol_digits(uint32_t i, int j);
 /* Importance of parameters: Morris' elementary effects and Sobol's indices, from designs of the unit cube whose point i
- * is a function of seed and i. docs/model/94-studies.md, "Sensitivity". */
+ * is a function of seed and i. docs/theory/94-studies.md, "Sensitivity". */
 
 /* ------------------------------------------------------------------------------------------------------- Morris */
 
@@ -128,7 +128,7 @@ typedef struct SobolIndex {
 int sobol_indices(uint64_t seed, int d, int n, const double *y, SobolIndex *index);
 /* Minimisation of a function of real and whole numbers within a box, under constraints, from values alone. One search
  * is a sequence of points, each a function of the earlier values: a repetition with the same values finds the same
- * points. docs/model/94-studies.md, "Search". */
+ * points. docs/theory/94-studies.md, "Search". */
 
 typedef enum SearchMethod {
     SEARCH_AUTO,   /* ALL if possible, else RANDOM with whole numbers, LINEAR without */
@@ -170,7 +170,7 @@ double search_broken(double value, const double *broken, int n);
 /* Version, e.g. "NLopt 2.7.1": other versions may find other points. */
 const char *search_version(char text[32]);
 /* Least squares within bounds: Levenberg-Marquardt steps with difference quotients, and how well the data determine the
- * parameters. docs/model/96-measured-pulls.md, "Fit". */
+ * parameters. docs/theory/96-measured-pulls.md, "Fit". */
 
 enum { FIT_MAX = 16 };
 

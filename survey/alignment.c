@@ -309,7 +309,7 @@ void alignment_reverse(Alignment *a)
     a->station += plan;
 }
 
-/* Elements in plan: (AL1), (AL2) of docs/model/16-alignments.md. */
+/* Elements in plan: (AL1), (AL2) of docs/theory/16-alignments.md. */
 
 /* Nodes and weights of Gauss-Legendre, eight points on [-1, 1]: exact for polynomials up to degree 15. */
 static const double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
@@ -363,7 +363,7 @@ void alignment_chain(Alignment *a)
     }
 }
 
-/* Elements of a profile: (AL3)-(AL5) of docs/model/16-alignments.md. */
+/* Elements of a profile: (AL3)-(AL5) of docs/theory/16-alignments.md. */
 
 /* Sine of the slope for the grade dz/ds. */
 static double sine(double grade) { return grade / sqrt(1 + grade * grade); }
@@ -450,7 +450,7 @@ hawser_status profile_from_corners(Alignment *a, int n, const ProfileCorner *cor
     return HAWSER_OK;
 }
 
-/* From corners to straights and arcs: (AL13) of docs/model/16-alignments.md. */
+/* From corners to straights and arcs: (AL13) of docs/theory/16-alignments.md. */
 
 static const double STRAIGHT = 1e-6; /* rad: smaller turns are no corners */
 

@@ -1,7 +1,7 @@
 /* A line in the ground as surveyors and designers describe it: elements in plan with a profile over them, or points
- * in space. Readers of files (survey/read) fill it; docs/model/16-alignments.md has the equations. Lengths in m, angles
- * in rad from east toward north, x east, y north, z up; coordinates are the file's, in its own system, converted to
- * metres. */
+ * in space. Readers of files (survey/read) fill it; docs/theory/16-alignments.md has the equations. Lengths in m,
+ * angles in rad from east toward north, x east, y north, z up; coordinates are the file's, in its own system, converted
+ * to metres. */
 #ifndef HAWSER_SURVEY_ALIGNMENT_H
 #define HAWSER_SURVEY_ALIGNMENT_H
 

@@ -1,4 +1,4 @@
-/* Gauss-Newton on a chain whose joints are constraints: (FT1)-(FT4) of docs/model/16-alignments.md. */
+/* Gauss-Newton on a chain whose joints are constraints: (FT1)-(FT4) of docs/theory/16-alignments.md. */
 #include "survey/chain.h"
 
 #include <stdlib.h>

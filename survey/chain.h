@@ -1,6 +1,6 @@
 /* A chain of straights, arcs and clothoids through points: each piece begins where the one before ends, with its
  * heading, and for a clothoid with its curvature too. Shared by join, cuts and moves. Equations:
- * docs/model/16-alignments.md, "Fitting". m, rad, 1/m. */
+ * docs/theory/16-alignments.md, "Fitting". m, rad, 1/m. */
 #ifndef HAWSER_SURVEY_CHAIN_H
 #define HAWSER_SURVEY_CHAIN_H
 

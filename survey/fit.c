@@ -705,7 +705,7 @@ hawser_status profile_fit(const Alignment *line, const Alignment *profile, const
 }
 
 /* Cuts a line of points into pieces: dynamic programming over the places, each piece fitted alone by
- * linear least squares about the points' own headings: (FT5), (FT6) of docs/model/16-alignments.md. */
+ * linear least squares about the points' own headings: (FT5), (FT6) of docs/theory/16-alignments.md. */
 
 const double piece_worth = 20;
 
@@ -947,7 +947,8 @@ hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Pi
 }
 
 /* Fitting of a long line in blocks of some pieces, and then across the seams between them: the search's time grows in
- * proportion to the length, and a place where it fails is repeated alone. docs/model/16-alignments.md, "Long lines". */
+ * proportion to the length, and a place where it fails is repeated alone. docs/theory/16-alignments.md, "Long lines".
+ */
 
 /* Pieces per block; range of pieces in which the longest is chosen as its end; pieces on either side of a seam that are
  * improved again. */

@@ -1,5 +1,5 @@
 /* Straights, arcs and clothoids through a line of points, and grades with vertical arcs through its heights: the fewest
- * pieces that stay within a deviation, with continuous tangents. docs/model/16-alignments.md, "Fitting". */
+ * pieces that stay within a deviation, with continuous tangents. docs/theory/16-alignments.md, "Fitting". */
 #ifndef HAWSER_SURVEY_FIT_H
 #define HAWSER_SURVEY_FIT_H
 

@@ -118,7 +118,7 @@ static hawser_status ifc_add_profile(const IfcFile *file, Alignment *a, ProfileE
 }
 
 /* Transition curves whose curvature is not linear, as clothoids end to end: (AL9)-(AL12) of
- * docs/model/16-alignments.md. */
+ * docs/theory/16-alignments.md. */
 
 enum { PARTS_LEAST = 4, PARTS_MOST = 64, SAMPLES = 32, HALF = 2, NODES = 8 };
 

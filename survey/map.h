@@ -1,5 +1,5 @@
 /* Longitude and latitude to plane coordinates: a transverse Mercator projection about a route's first point,
- * (MP1)-(MP4) of docs/model/16-alignments.md. WGS 84. */
+ * (MP1)-(MP4) of docs/theory/16-alignments.md. WGS 84. */
 #ifndef HAWSER_SURVEY_MAP_H
 #define HAWSER_SURVEY_MAP_H
 

@@ -1,5 +1,5 @@
 /* Compression of the cable: critical loads where it is pushed, and the length after which a push is used up.
- * docs/model/60-theory.md, "Compression" (BK1)-(BK9). */
+ * docs/theory/60-theory.md, "Compression" (BK1)-(BK9). */
 #ifndef HAWSER_THEORY_BUCKLING_H
 #define HAWSER_THEORY_BUCKLING_H
 

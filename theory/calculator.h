@@ -1,5 +1,5 @@
 /* The pulling calculator of a scene: the whole route filled with cable and pulled in either direction, and every
- * earlier place of the cable's head. docs/model.md, "The planner's calculation" and "Limits". */
+ * earlier place of the cable's head. docs/theory.md, "The planner's calculation" and "Limits". */
 #ifndef HAWSER_THEORY_CALCULATOR_H
 #define HAWSER_THEORY_CALCULATOR_H
 

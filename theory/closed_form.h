@@ -1,5 +1,5 @@
 /* Pulling tensions in closed form: straights, slopes, bends in a level and in a vertical plane, rollers. Each
- * says where it holds and refuses, with a reason, where it does not. docs/model.md, "Pulling theory",
+ * says where it holds and refuses, with a reason, where it does not. docs/theory.md, "Pulling theory",
  * (T9)-(T17). T1, T2: tension in and out, N; w: weight, N/m; mu: friction; R: radius, m; angles rad. *T2 is
  * written only on HAWSER_OK; every error is HAWSER_ERR_INPUT. */
 #ifndef HAWSER_THEORY_CLOSED_FORM_H
@@ -61,7 +61,7 @@ void piece_slopes(const RoutePiece *piece, int direction, double *a, double *b);
 hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, int separate,
                             double *T2, hawser_error *err);
 /* The paper's tension formulas, its eq. 3-10: the pull is a sum of terms along the path, without capstan
- * effect. docs/model.md, "Pulling theory", (T1)-(T4). Units: W kg/m (as in the paper), g m/s2, forces N. */
+ * effect. docs/theory.md, "Pulling theory", (T1)-(T4). Units: W kg/m (as in the paper), g m/s2, forces N. */
 
 /* The term's force, N: eq. 3 and 9 for reel and rope, eq. 4 and 6-8 for slopes, eq. 5 for arcs. */
 double paper_term_force(const PaperTermDef *term, double W, double mu, double g);

@@ -707,7 +707,7 @@ hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *e
     return status ? status : supported_by(setup, c, &c->known[KNOWN_SUPPORT], err);
 }
 
-/* Winch force at a start beside belts that run with the winch: docs/model/72-winch-and-conveyors.md (WI24). */
+/* Winch force at a start beside belts that run with the winch: docs/theory/72-winch-and-conveyors.md (WI24). */
 
 enum { STEPS = 16 }; /* per span */
 

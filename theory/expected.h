@@ -1,5 +1,5 @@
 /* Theory's results for the scene: the tension at the stations and the pull, by the paper's formulas and by the
- * bend ODE. docs/model.md, "Pulling theory". */
+ * bend ODE. docs/theory.md, "Pulling theory". */
 #ifndef HAWSER_THEORY_EXPECTED_H
 #define HAWSER_THEORY_EXPECTED_H
 

@@ -1,5 +1,5 @@
 /* Values that the limits judge beside tension and pressure: rope, winch, machines, brake, trip; the same for theory and
- * runs. docs/model/62-limits.md. */
+ * runs. docs/theory/62-limits.md. */
 #ifndef HAWSER_THEORY_FINDINGS_H
 #define HAWSER_THEORY_FINDINGS_H
 

@@ -1,5 +1,5 @@
 /* Bounds that still hold: the planner's inverse questions, each answered by the same calculator.
- * docs/model.md, "The planner's calculation", (PN9), (PN11). */
+ * docs/theory.md, "The planner's calculation", (PN9), (PN11). */
 #ifndef HAWSER_THEORY_INVERSE_H
 #define HAWSER_THEORY_INVERSE_H
 

@@ -66,7 +66,7 @@ hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways
 hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],
                                hawser_error *err);
 /* Changes that make a pull safe, recomputed with all limits: wider ducts where the cables jam or do not fit, wider
- * bends, all together, and less friction where that is not enough. docs/model.md, "The planner's calculation", (PN12).
+ * bends, all together, and less friction where that is not enough. docs/theory.md, "The planner's calculation", (PN12).
  */
 
 /* A case as it is, and with each assumed value at its upper end: a result that holds for all of them does not depend on

@@ -1,5 +1,5 @@
 /* Places of equipment along a route: marks of a drawing projected onto it, rollers placed by rule, and the load that
- * theory expects on each. docs/model/18-placing.md has the equations. */
+ * theory expects on each. docs/theory/18-placing.md has the equations. */
 #ifndef HAWSER_THEORY_PLACE_H
 #define HAWSER_THEORY_PLACE_H
 

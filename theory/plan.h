@@ -1,5 +1,5 @@
 /* Input of the pulling calculator: a route, stretches of weight and friction, allowances, machines on the way, pits
- * where the pull begins anew. docs/model.md, "The planner's calculation". */
+ * where the pull begins anew. docs/theory.md, "The planner's calculation". */
 #ifndef HAWSER_THEORY_PLAN_H
 #define HAWSER_THEORY_PLAN_H
 
@@ -47,7 +47,7 @@ typedef struct PlanDef {
 } PlanDef;
 
 /* One pull of a plan: the cable up to a place on the route and the rope ahead of it, in one direction, moving or from
- * rest. docs/model.md, "The planner's calculation", (PN1)-(PN5). */
+ * rest. docs/theory.md, "The planner's calculation", (PN1)-(PN5). */
 
 /* Start and end of the pull, m along the route. */
 double plan_first(const PlanDef *def, int way);
@@ -83,7 +83,7 @@ typedef struct PlanPullDef {
 /* Solves the pull. Errors: as pull_solve. */
 hawser_status plan_pull(const PlanDef *def, const PlanPullDef *what, Pull *out, hawser_error *err);
 /* Winch force for every place of the cable's head: rope ahead, cable behind, bends passed one by one.
- * docs/model.md, "The planner's calculation", (PN5)-(PN7). */
+ * docs/theory.md, "The planner's calculation", (PN5)-(PN7). */
 
 /* The pull with the head at one place. */
 typedef struct HeadForce {
@@ -153,7 +153,7 @@ typedef struct Brake {
 hawser_status plan_brake(const PlanDef *def, int way, Brake *out, hawser_error *err);
 /* The pulling calculator: one route, one or several cables, both directions, moving and from rest; with machines on the
  * way, pits where the pull begins anew, a push at the start, and friction that changes with the length pulled. Builds
- * on pulling.h, closed_form.h and duct.h; docs/model.md, "The planner's calculation". */
+ * on pulling.h, closed_form.h and duct.h; docs/theory.md, "The planner's calculation". */
 
 enum { PLAN_REASON_MAX = 200 };
 
@@ -196,7 +196,7 @@ typedef struct Plan {
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err);
 void plan_clear(Plan *plan);
 /* Sensitivity of a pull to small changes of uncertain values: the whole route full of cable, moving, exactly by the
- * variational equation, forward and adjoint. docs/model.md, "Changes of a pull". */
+ * variational equation, forward and adjoint. docs/theory.md, "Changes of a pull". */
 
 /* --------------------------------------------------------------------------------------------------------- a span */
 

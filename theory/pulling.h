@@ -1,5 +1,5 @@
 /* One span of a pull: a stretch of one piece of the route with one weight and one friction, and the integration of the
- * tension along it. docs/model.md, "Pulling theory", (T5)-(T8). */
+ * tension along it. docs/theory.md, "Pulling theory", (T5)-(T8). */
 #ifndef HAWSER_THEORY_PULLING_H
 #define HAWSER_THEORY_PULLING_H
 
@@ -76,7 +76,7 @@ double span_rate(const SpanLaw *p, double s, double tension);
  * kept below 1e-12 of tension plus weight; where it is zero by chance, the observed error was at most 3e-9, with unlike
  * weights 1e-8. extremes (may be NULL) is widened by the span's, both ends included. */
 double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes);
-/* The tension along a route while a cable is pulled over it: the pulling theory. docs/model.md, "Pulling
+/* The tension along a route while a cable is pulled over it: the pulling theory. docs/theory.md, "Pulling
  * theory".
  *
  *     dT/ds = mu N + w sin(phi),  N = |T kappa + w_n| (T5), (T6)

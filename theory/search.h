@@ -1,5 +1,5 @@
 /* Search for the farthest value at which a predicate holds, by bracketing and bisection, as used by the inverse
- * answers; and for the maximum of a function with one peak. docs/model.md, "The planner's calculation", (PN9). The
+ * answers; and for the maximum of a function with one peak. docs/theory.md, "The planner's calculation", (PN9). The
  * first takes some forty evaluations for an answer within ten times of its start, up to a hundred if there is none. */
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H

@@ -1,5 +1,5 @@
 /* Input of theory along a scene's route: friction of the case and of its ducts and trays, and where weight and turning
- * force rest on separate supports. docs/model.md, "Separate supports". */
+ * force rest on separate supports. docs/theory.md, "Separate supports". */
 #ifndef HAWSER_THEORY_SETUP_H
 #define HAWSER_THEORY_SETUP_H
 

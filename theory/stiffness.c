@@ -15,7 +15,7 @@
 
 /* clang-format off: a table
  * The forms are derived, the constants fitted to runs: one bend, level or upright, T = 2 to 10 kN, EI = 5 to 500 N m2,
- * 200 N/m, the contact law's defaults (docs/model/12-mesh.md). Columns: runs, and the law's figure in brackets.
+ * 200 N/m, the contact law's defaults (docs/theory/12-mesh.md). Columns: runs, and the law's figure in brackets.
  *
  *   law              constants         runs                                                  extra pull
  *   (ME1) bend       3.4, 7.9          bench/results/mesh_laws.md
@@ -497,7 +497,7 @@ void mesh_free(Mesh *mesh)
     *mesh = (Mesh){0};
 }
 
-/* Bending diameter of the rope. docs/model/62-limits.md */
+/* Bending diameter of the rope. docs/theory/62-limits.md */
 
 /* Turn at a roller from which it counts as a sheave for the rope, rad (our choice: less is no wrap). */
 static const double ROPE_WRAPPED = 30 * M_PI / 180;
@@ -657,7 +657,7 @@ Finding rope_bend(const Setup *setup, const Route *route, double head, const Sup
 }
 
 /* Effect of bending stiffness that theory neglects: both sides of a bend's supports hold a stiff cable, which causes
- * friction. docs/model.md, "Pulling theory" (T32). */
+ * friction. docs/theory.md, "Pulling theory" (T32). */
 
 static const double DOUBT = 1.5; /* runs have 0.6 to 1.4 times this estimate */
 

@@ -1,5 +1,5 @@
 /* Length of segments: requirements of the places of a route, and the expected error of a pull with given segments.
- * docs/model.md, "Length of segments". */
+ * docs/theory.md, "Length of segments". */
 #ifndef HAWSER_THEORY_STIFFNESS_H
 #define HAWSER_THEORY_STIFFNESS_H
 

@@ -1,5 +1,5 @@
 /* Checks whether the cable has vertical and lateral support all along, whatever its tension: the condition `supported`
- * of theory. docs/model.md, "Pulling theory" (T29)-(T31). */
+ * of theory. docs/theory.md, "Pulling theory" (T29)-(T31). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* A rod in a duct under compression: the force at which it begins to snake, and the helix at the end.
- * docs/model/85-validation.md (VA15)-(VA17a). */
+ * docs/theory/85-validation.md (VA15)-(VA17a). */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* Chains with no loads but weight, end loads and a medium: fluid drag against its closed forms, a folded chain that
- * falls, a skipping rope, a bar that rebounds. docs/model/85-validation.md (VA6)-(VA10). */
+ * falls, a skipping rope, a bar that rebounds. docs/theory/85-validation.md (VA6)-(VA10). */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -445,7 +445,7 @@ static const ValidationCase flight_cases[] = {
 const ValidationGroup flight_group = VALIDATION_GROUP(flight_cases);
 
 /* A right-angled cantilever in motion (Simo and Vu-Quoc 1988): pushed out of its plane at the elbow for 2 s, it makes
- * large oscillations in space, bent and twisted, and keeps its energy. docs/model/85-validation.md (VA27). */
+ * large oscillations in space, bent and twisted, and keeps its energy. docs/theory/85-validation.md (VA27). */
 
 /* m, kg/m, N, N m2, kg m: two equal legs; the load grows to LOAD at 1 s and is zero from FREE on. */
 static const double LEG = 10, FRAME_MASS = 1, EA = 1e6, EI = 1e3, INERTIA = 10, LOAD = 50, FREE = 2;

@@ -442,7 +442,7 @@ static const ValidationCase rod_cases[] = {
 const ValidationGroup rod_group = VALIDATION_GROUP(rod_cases);
 
 /* Rods that buckle: their critical loads, found by the load steps themselves, and their paths afterwards. Errors and
- * their order over three meshes each; docs/model/85-validation.md, "Rods that give way". */
+ * their order over three meshes each; docs/theory/85-validation.md, "Rods that give way". */
 
 enum { MESHES = 3 };
 

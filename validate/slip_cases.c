@@ -1,5 +1,5 @@
 /* Sticking, slipping and running: a mass on a belt, two weights on a rope over a drum, a rope that runs over one.
- * docs/model/85-validation.md (VA11)-(VA14), (VA18), (VA25), (VA26). */
+ * docs/theory/85-validation.md (VA11)-(VA14), (VA18), (VA25), (VA26). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -63,7 +63,7 @@ class Rollers : public Force::Custom::Implementation
         const Transform &X = chain_.matter.getMobilizedBody(chain_.body[i]).getBodyTransform(state);
         return X.p()[0] + HALF * X.R().x()[0];
     }
-    /* n from the roller at x to the cable, sliding along (ny, -nx): (C12) and (C14) of docs/model.md. */
+    /* n from the roller at x to the cable, sliding along (ny, -nx): (C12) and (C14) of docs/theory.md. */
     void touch(SpatialVec &on, const PlanePose &p, double x) const
     {
         const double radius = PEER_DIAMETER / 2, y = straight_roller_z();
@@ -97,7 +97,7 @@ class Winch : public Force::Custom::Implementation
     const Chain &chain_;
 };
 
-/* The springs and dampers between neighbours, in the axes half-way between theirs: (PL5) to (PL7) of docs/model.md.
+/* The springs and dampers between neighbours, in the axes half-way between theirs: (PL5) to (PL7) of docs/theory.md.
  * They act on the planar mobilizers' coordinates (angle, x, y), so that no body's pose is needed. */
 class PlaneJoints : public Force::Custom::Implementation
 {

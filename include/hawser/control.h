@@ -1,4 +1,4 @@
-/* Commands to a running simulation, and call-backs from it; part of hawser/hawser.h, which includes it. docs/model.md,
+/* Commands to a running simulation, and call-backs from it; part of hawser/hawser.h, which includes it. docs/theory.md,
  * "Control", describes what each command does to the motion; docs/guide/c.md has programs. A command is given between
  * two calls of hawser_sim_advance. It takes effect at the present time, comes in over its ramp so that speeds and
  * forces stay continuous, and is an event of the run. A case gives the same commands at set times in its

@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-/* Numerical error bound of a figure, in its own unit (docs/model.md, "Error bars"). */
+/* Numerical error bound of a figure, in its own unit (docs/theory.md, "Error bars"). */
 typedef struct hawser_error_bar {
     double time;     /* part of the steps in time */
     double mesh;     /* part of the mesh: segments are not a continuous line */
@@ -51,7 +51,7 @@ typedef struct hawser_balance_term {
     double N_s[3];    /* 0 but of an impulse */
 } hawser_balance_term;
 
-/* Balances of energy and momentum over a run (docs/model.md, "Balances"): the change of stored energy since t = 0
+/* Balances of energy and momentum over a run (docs/theory.md, "Balances"): the change of stored energy since t = 0
  * against the work done less the losses, and the change of the cable's momentum against the impulses on it; `carried`
  * is what joining segments brought less what leaving segments took along. */
 enum { HAWSER_BALANCE_TERMS = 48 };

@@ -1,5 +1,5 @@
 /* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h.
- * docs/guide/studies-and-measured-pulls.md, "On a cluster"; docs/model/92-sensitivities.md. */
+ * docs/guide/studies-and-measured-pulls.md, "On a cluster"; docs/theory/92-sensitivities.md. */
 #ifndef HAWSER_SWEEP_H
 #define HAWSER_SWEEP_H
 
@@ -73,7 +73,7 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
                                             hawser_error *err);
 /* Returns the same for one position, the one in which the run ends, by each of n dotted keys of the case, or with n = 0
  * by every number in it that can be varied a little: one solution for each figure, however many keys there are
- * (docs/model/92-sensitivities.md, "Changes of a position"). All else as above. Errors: as above. */
+ * (docs/theory/92-sensitivities.md, "Changes of a position"). All else as above. Errors: as above. */
 hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const char *const *keys,
                                                  hawser_format format, int (*stop)(void *user), void *user, char **text,
                                                  char **json, hawser_error *err);

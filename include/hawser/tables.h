@@ -141,7 +141,7 @@ typedef struct hawser_condition {
     hawser_condition_kind kind;
 } hawser_condition;
 
-/* Layout of several cables in a duct (docs/model.md, "Bundles"). */
+/* Layout of several cables in a duct (docs/theory.md, "Bundles"). */
 typedef struct hawser_bundle_duct {
     const char *name, *layout;
     double weight_factor;     /* factor, by the layout; the next two give its part in friction */

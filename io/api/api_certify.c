@@ -543,7 +543,7 @@ hawser_status hawser_certificate_write(const hawser_certificate *certificate, co
 }
 
 /* Certificates: rounds of runs with finer settings, from which each figure's error is estimated source by source.
- * docs/model.md, "Certificates". */
+ * docs/theory.md, "Certificates". */
 
 enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
 

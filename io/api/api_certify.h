@@ -1,4 +1,4 @@
-/* Common parts of the files for certificates: the figures of a simulation, and runs at the same time. docs/model.md,
+/* Common parts of the files for certificates: the figures of a simulation, and runs at the same time. docs/theory.md,
  * "Certificates". */
 #ifndef HAWSER_IO_API_API_CERTIFY_H
 #define HAWSER_IO_API_API_CERTIFY_H
@@ -46,7 +46,7 @@ typedef struct CertifyRound {
 } CertifyRound;
 
 /* Error of a figure from refinement: two or three values of it, each computed `ratio` times finer than the one before.
- * docs/model.md, "Certificates". */
+ * docs/theory.md, "Certificates". */
 
 /* Share of the assumed order below which three values do not converge. */
 static const double ORDER_LEAST = 0.25;

@@ -1,5 +1,5 @@
 /* The list of equipment of a case for the people who set it up, written by `hawser theory --crew`. Loads are those of
- * theory with the cable at the route's end, docs/model.md, "Placing". */
+ * theory with the cable at the route's end, docs/theory.md, "Placing". */
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>

@@ -458,7 +458,7 @@ hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress prog
 }
 
 /* A whole run: one pass, and up to two more with finer settings where only numerical errors leave the verdict open.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); docs/reference/limits.md has what users need. */
+ * docs/theory.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); docs/reference/limits.md has what users need. */
 
 /* Growth of evaluations times segments from one pass to the next (median of 341 random pulls; 4.2 in 95 % of them). */
 static const double GROWS = 3.1;
@@ -481,7 +481,7 @@ static int is_numerical(const hawser_condition *c)
 }
 
 /* Checks for a condition on a result that the mesh may have caused: a segment that passes a support. A finer pass has
- * to meet it itself, so that its results must be the shown ones (docs/model.md, "Error bars"). */
+ * to meet it itself, so that its results must be the shown ones (docs/theory.md, "Error bars"). */
 static int is_shown(const hawser_condition *c)
 {
     return c->kind == HAWSER_CONDITION_STEADY || c->kind == HAWSER_CONDITION_PEAK ||

@@ -1,4 +1,4 @@
-/* Changes of the pulling calculation by small changes of its input: `hawser theory --sensitivities`. docs/model.md,
+/* Changes of the pulling calculation by small changes of its input: `hawser theory --sensitivities`. docs/theory.md,
  * "Changes of a pull". */
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* From a surveyor's file to the line of pieces that a cable is pulled along: reads, joins, chooses, fits, cuts,
- * reverses and chains. docs/model/16-alignments.md, "As a route". */
+ * reverses and chains. docs/theory/16-alignments.md, "As a route". */
 #ifndef HAWSER_IO_CASE_ALIGNMENT_H
 #define HAWSER_IO_CASE_ALIGNMENT_H
 

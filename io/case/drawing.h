@@ -1,5 +1,5 @@
 /* Equipment from a drawing, and rollers by rule: between the text of a case and its lists of equipment.
- * docs/model/18-placing.md. */
+ * docs/theory/18-placing.md. */
 #ifndef HAWSER_IO_CASE_DRAWING_H
 #define HAWSER_IO_CASE_DRAWING_H
 

@@ -72,9 +72,9 @@ class Site:
     def contents(self, pages):
         """What stands at the side: the documents in the order in which README.md names them, then what it does not name."""
         named = re.findall(r"\]\((docs/[^)#\s]+)\.md", (self.tree / "README.md").read_text(encoding="utf-8"))
-        guides = [page for page in dict.fromkeys(named + pages) if page in pages and page.startswith("docs/") and not page.startswith("docs/model")]
+        guides = [page for page in dict.fromkeys(named + pages) if page in pages and page.startswith("docs/") and not page.startswith("docs/theory")]
         parts = {"Guides": ["examples", *guides], "References": ["api/python", "api/c"],
-                 "The model": ["docs/model", *[page for page in pages if page.startswith("docs/model/")]],
+                 "The model": ["docs/theory", *[page for page in pages if page.startswith("docs/theory/")]],
                  "The project": [page for page in pages if "/" not in page and page != "README"]}
         text = "".join(f"\n```{{toctree}}\n:hidden:\n:maxdepth: 1\n:caption: {caption}\n\n" + "\n".join(part) + "\n```\n" for caption, part in parts.items())
         with (self.source / "README.md").open("a", encoding="utf-8") as readme:

@@ -1,4 +1,4 @@
-/* The cable touches itself. docs/model.md, "Cable on cable". */
+/* The cable touches itself. docs/theory.md, "Cable on cable". */
 #include "core/block_chain.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"

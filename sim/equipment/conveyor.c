@@ -1,4 +1,4 @@
-/* Motors of rollers that spin: set torque or set speed. docs/model.md, "Rollers that spin and rollers on mounts",
+/* Motors of rollers that spin: set torque or set speed. docs/theory.md, "Rollers that spin and rollers on mounts",
  * "Motor". The torque acts where the bearing's does (sim/equipment/rollers.h); this file has its value over time, its
  * source of energy and its figures of a run. */
 #include "sim/equipment/conveyor.h"

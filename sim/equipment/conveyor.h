@@ -1,5 +1,5 @@
 /* Caterpillar conveyors: straight machines whose two belts clamp the cable, drive it along, and hold it on their line.
- * docs/model.md, "Winch and conveyors" (WI13)-(WI19).
+ * docs/theory.md, "Winch and conveyors" (WI13)-(WI19).
  *
  * conveyor_find() finds the segments near a machine between steps; within a step only those are evaluated. */
 #ifndef HAWSER_SIM_EQUIPMENT_CONVEYOR_H

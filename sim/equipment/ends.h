@@ -1,4 +1,4 @@
-/* Loads on the chain's ends: the back tension on the tail, the drag of the rope behind the eye. docs/model.md, "Loads"
+/* Loads on the chain's ends: the back tension on the tail, the drag of the rope behind the eye. docs/theory.md, "Loads"
  * (F2), (F3). */
 #ifndef HAWSER_SIM_EQUIPMENT_ENDS_H
 #define HAWSER_SIM_EQUIPMENT_ENDS_H

@@ -316,7 +316,7 @@ const RoomKind FORCES_ROOM = {.name = "forces from outside",
                               .in_space = "forces act on segments from outside"};
 
 /* Jams: a roller or a conveyor stops during the run, at a time or when the cable's front reaches a place, and may be
- * released again. docs/model.md, "Jams" (JA1)-(JA6).
+ * released again. docs/theory.md, "Jams" (JA1)-(JA6).
  *
  * A jam acts through the equipment that jams: it is given a Seizure when the scene is built and reads its share at
  * every evaluation. Between two events the share is a function of time alone; it changes after accepted steps only, in

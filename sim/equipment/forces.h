@@ -1,4 +1,4 @@
-/* External loads on segments: forces given by commands, and a force law of the caller. docs/model.md, "Control"
+/* External loads on segments: forces given by commands, and a force law of the caller. docs/theory.md, "Control"
  * (K7)-(K10). */
 #ifndef HAWSER_SIM_EQUIPMENT_FORCES_H
 #define HAWSER_SIM_EQUIPMENT_FORCES_H

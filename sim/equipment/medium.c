@@ -1,5 +1,5 @@
-/* Air or water around the chain: drag quadratic in the speed, a current, buoyancy. docs/model/82-medium.md (MD1)-(MD6).
- * Added mass is not modelled. */
+/* Air or water around the chain: drag quadratic in the speed, a current, buoyancy. docs/theory/82-medium.md
+ * (MD1)-(MD6). Added mass is not modelled. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -141,7 +141,7 @@ const RoomKind MEDIUM_ROOM = {.name = "medium",
                               .work = medium_work,
                               .in_space = "the chain moves through a medium"};
 
-/* Initial speeds of the chain. docs/model/82-medium.md (MD7), (MD8). */
+/* Initial speeds of the chain. docs/theory/82-medium.md (MD7), (MD8). */
 
 static hawser_status launch_build(Room *room, Scene *scene, hawser_error *err)
 {

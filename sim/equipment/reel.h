@@ -1,6 +1,6 @@
 /* A drum with the cable wound on it, with contact at every turn: for short studies and to check the reel that only pays
  * out. The drum is a roller that spins, with a brake; the layers touch it and each other; the cable's end is held to
- * it. docs/model.md, "Cable on cable", "A wound drum" (CC22)-(CC26). */
+ * it. docs/theory.md, "Cable on cable", "A wound drum" (CC22)-(CC26). */
 #ifndef HAWSER_SIM_EQUIPMENT_REEL_H
 #define HAWSER_SIM_EQUIPMENT_REEL_H
 
@@ -21,7 +21,7 @@ typedef struct Drum {
 
 /* The reel that pays the cable out. Its drum is not a separate body: the chain's tail segment represents the end of the
  * cable that is just leaving it, moves on the straight line from the drum to the route's start, and carries the drum's
- * inertia and the forces of brake, bearing and back tension. docs/model.md, "Reel and take-in" (RL6)-(RL15).
+ * inertia and the forces of brake, bearing and back tension. docs/theory.md, "Reel and take-in" (RL6)-(RL15).
  *
  * Segments join behind the tail between two steps (sim/run/stage.h); within a step everything here is a function of (t,
  * y). */

@@ -1,4 +1,4 @@
-/* A rod as simulated: its initial state, the ground bodies at its ends, and its loads. docs/model.md, "Rods"
+/* A rod as simulated: its initial state, the ground bodies at its ends, and its loads. docs/theory.md, "Rods"
  * (RD1)-(RD9). */
 #ifndef HAWSER_SIM_EQUIPMENT_ROD_H
 #define HAWSER_SIM_EQUIPMENT_ROD_H

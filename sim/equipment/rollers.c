@@ -564,7 +564,7 @@ MethodLoss equipment_method_loss(const Equipment *q, const double *e, const doub
     return sum;
 }
 
-/* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
+/* Rollers, fixed and moving: what the cable touches at single places. docs/theory.md, "Contact", "Rollers that spin and
  * rollers on mounts". sim/equipment/rollers.h has their motion. */
 
 /* A roller that may be held fast or whose friction may change. */

@@ -1,4 +1,4 @@
-/* Rollers that move, spinning or on mounts: their data, their part of the state, and their drives. docs/model.md,
+/* Rollers that move, spinning or on mounts: their data, their part of the state, and their drives. docs/theory.md,
  * "Rollers that spin and rollers on mounts". A scene without them has n = 0 and does nothing here.
  *
  * Their part of the state, e below, follows the chain's 13 n numbers: first the angular speed of every spin (rad/s,
@@ -57,7 +57,7 @@ void equipment_halt(const Equipment *q, double *e);
 /* Index of the moving roller with the largest sum of squares of x w, which goes to *largest; -1 if there is none. */
 int equipment_worst(const Equipment *q, const double *x, const double *w, double *largest);
 /* Quantities derived from the state of rollers that move: poses, loads, rates, and the derivatives by which they couple
- * to the chain. Scratch of one evaluation, part of the workspace. docs/model.md, "Rollers that spin and rollers on
+ * to the chain. Scratch of one evaluation, part of the workspace. docs/theory.md, "Rollers that spin and rollers on
  * mounts". */
 
 /* The contacts' derivatives of one moving roller, summed: by configuration [0] and by velocities [1]. */

@@ -1,4 +1,4 @@
-/* The ducts, trays, floors and walls of a scene. docs/model.md, "Surfaces". */
+/* The ducts, trays, floors and walls of a scene. docs/theory.md, "Surfaces". */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

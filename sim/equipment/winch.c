@@ -1,4 +1,4 @@
-/* Phases of the winch: trips and commands. docs/model.md, "Winch and conveyors" (WI8)-(WI12), "Control" (K2), (K3). */
+/* Phases of the winch: trips and commands. docs/theory.md, "Winch and conveyors" (WI8)-(WI12), "Control" (K2), (K3). */
 #include "sim/equipment/winch.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* The winch, which moves the chain's head: it moves a ghost by a speed profile, or pulls with a set tension; it trips,
- * stands and starts again. docs/model.md, "Winch and conveyors" (WI1)-(WI12).
+ * stands and starts again. docs/theory.md, "Winch and conveyors" (WI1)-(WI12).
  *
  * Between two events the winch is a function of time (and, with a set tension, of the head's motion) like everything
  * else in the right-hand side. Its `phase` changes between accepted steps only, in winch_accept(). */

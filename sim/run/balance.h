@@ -1,5 +1,5 @@
 /* The balances of energy and momentum of a run: the work and impulse since t = 0 against the change of what is stored.
- * docs/model.md, "Balances". */
+ * docs/theory.md, "Balances". */
 #ifndef HAWSER_SIM_RUN_BALANCE_H
 #define HAWSER_SIM_RUN_BALANCE_H
 

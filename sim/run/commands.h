@@ -1,4 +1,4 @@
-/* Commands to a running simulation, by its caller or by the case's script, and its call-backs. docs/model.md,
+/* Commands to a running simulation, by its caller or by the case's script, and its call-backs. docs/theory.md,
  * "Control". */
 #ifndef HAWSER_SIM_RUN_COMMANDS_H
 #define HAWSER_SIM_RUN_COMMANDS_H

@@ -1,5 +1,5 @@
 /* Several chains as one simulation: each has its own Sim, with its scene and its records; the first also has what moves
- * them all. docs/model.md, "Several chains". */
+ * them all. docs/theory.md, "Several chains". */
 #ifndef HAWSER_SIM_RUN_LOOK_H
 #define HAWSER_SIM_RUN_LOOK_H
 

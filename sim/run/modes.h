@@ -1,5 +1,5 @@
 /* Linear vibrations about an equilibrium: the lowest modes, by subspace iteration with Newton's own matrix.
- * docs/model.md, "Rods" (RD10)-(RD14). */
+ * docs/theory.md, "Rods" (RD10)-(RD14). */
 #ifndef HAWSER_SIM_RUN_MODES_H
 #define HAWSER_SIM_RUN_MODES_H
 

@@ -1,4 +1,4 @@
-/* Comparison of the passes of one run: each is a level finer in time and length than the one before (docs/model.md,
+/* Comparison of the passes of one run: each is a level finer in time and length than the one before (docs/theory.md,
  * "Error bars", (EB19), (EB20), (EB27) to (EB30)), so that the difference of a figure measures its error. */
 #ifndef HAWSER_SIM_RUN_PASSES_H
 #define HAWSER_SIM_RUN_PASSES_H

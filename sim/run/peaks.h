@@ -1,5 +1,5 @@
 /* Loads of rollers by several chains together: the force on each is the sum of the chains' forces, and its rating
- * applies to the sum. docs/model.md, "Several chains" (SC18). Memory does not grow with the run. */
+ * applies to the sum. docs/theory.md, "Several chains" (SC18). Memory does not grow with the run. */
 #ifndef HAWSER_SIM_RUN_PEAKS_H
 #define HAWSER_SIM_RUN_PEAKS_H
 
@@ -33,7 +33,7 @@ void borne_checkpoint(Checkpoint *c, Borne *borne);
 /* Places and forces of compression in a run: the least tension of a joint that lasts for a second of pulling, and while
  * a quarter of a segment passes or for two seconds. Compression for a moment only, by waves, a stop or a place over a
  * roller, does not count; nor does that by friction, which creeps while nothing is pulled, in a cable at rest.
- * docs/model/62-limits.md, (LI12a). */
+ * docs/theory/62-limits.md, (LI12a). */
 
 /* A largest value and where it was, m along the route. */
 typedef struct Peak {

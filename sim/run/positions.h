@@ -1,5 +1,5 @@
 /* Resting shape of a position's chain relative to its route, with which the next position begins.
- * docs/model/44-positions.md (PS8), (PS10), (PS13). */
+ * docs/theory/44-positions.md (PS8), (PS10), (PS13). */
 #ifndef HAWSER_SIM_RUN_POSITIONS_H
 #define HAWSER_SIM_RUN_POSITIONS_H
 
@@ -22,7 +22,7 @@ typedef struct Lie {
 
 void lie_checkpoint(Checkpoint *c, Lie *lie, const Scene *scene);
 /* Steady motion of a pull for a row of places of the cable's front, without the motion between them: at each the chain
- * is laid along the route and brought to equilibrium with friction fully developed. docs/model/44-positions.md. */
+ * is laid along the route and brought to equilibrium with friction fully developed. docs/theory/44-positions.md. */
 
 /* Offset of the segment that has passed the winch last, by which the winch holds the rope (QS12), (QS15). */
 typedef struct Hanging {
@@ -85,7 +85,7 @@ hawser_status positions_pass(Positions *p, Stage *stage, int segment, double t, 
 /* Records a position found, with its sample. Errors: MEMORY. */
 hawser_status positions_record(Positions *p, const Stage *stage, const hawser_sample *look,
                                const hawser_relaxation *found, hawser_error *err);
-/* Pull over the place of the cable's front, simulated beside the reference theory, for planning. docs/model.md, "Reel
+/* Pull over the place of the cable's front, simulated beside the reference theory, for planning. docs/theory.md, "Reel
  * and take-in" (RL18). */
 
 /* A stretch of the front's way: the time spent there, s, and the integrals over that time. */

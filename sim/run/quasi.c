@@ -157,8 +157,8 @@ hawser_status quasi_undo(Quasi *q, Stage *st, const Moving *to, hawser_error *er
     return status ? status : quasi_leave(q, st, err);
 }
 
-/* Balance of energy over a stretch of positions, docs/model/45-quasi-static.md (QS13), (QS14): works and losses between
- * two of them by the trapezoidal rule; segments that joined or left carry their energy. */
+/* Balance of energy over a stretch of positions, docs/theory/45-quasi-static.md (QS13), (QS14): works and losses
+ * between two of them by the trapezoidal rule; segments that joined or left carry their energy. */
 
 /* Energy stored in joint j, J. */
 static double joint_holds(const Chain *chain, const Kinematics *kin, int j)
@@ -304,7 +304,7 @@ void quasi_mix(Sim *s)
 }
 
 /* A thick front behind a thin rope loads a roller most as it comes to the next one, within a few centimetres of travel:
- * positions farther apart would miss that. docs/model/45-quasi-static.md (QS9)-(QS12). */
+ * positions farther apart would miss that. docs/theory/45-quasi-static.md (QS9)-(QS12). */
 
 static const double BESIDE = 0.025; /* m, between a peak and the looks that enclose it */
 

@@ -1,5 +1,5 @@
 /* A run that moves by positions in steady motion where possible, and by its equations of motion elsewhere: the changes
- * between both, the distance of positions, and the rows between them. docs/model/45-quasi-static.md. */
+ * between both, the distance of positions, and the rows between them. docs/theory/45-quasi-static.md. */
 #ifndef HAWSER_SIM_RUN_QUASI_H
 #define HAWSER_SIM_RUN_QUASI_H
 

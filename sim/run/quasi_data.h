@@ -1,5 +1,5 @@
 /* Change of a stage from the equations of motion to positions in steady motion and back. The choice between them is
- * made in sim/run/quasi.h. docs/model/45-quasi-static.md. */
+ * made in sim/run/quasi.h. docs/theory/45-quasi-static.md. */
 #ifndef HAWSER_SIM_RUN_QUASI_DATA_H
 #define HAWSER_SIM_RUN_QUASI_DATA_H
 
@@ -43,7 +43,7 @@ hawser_status moving_restore(Stage *stage, const Moving *to, hawser_error *err);
 void moving_free(Moving *from);
 /* Sets springs with their damping, or without. */
 void quasi_damping(const Quasi *q, Stage *stage, int present);
-/* Data of a run that is moved by positions in steady motion: docs/model/45-quasi-static.md. sim/run/quasi.h moves
+/* Data of a run that is moved by positions in steady motion: docs/theory/45-quasi-static.md. sim/run/quasi.h moves
  * it. */
 
 enum { QUASI_KEPT = 3 }; /* positions: the two that enclose the rows, and the one before */

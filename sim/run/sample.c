@@ -314,7 +314,7 @@ static void taken_take(SampleBuffers *b, const Scene *scene, const hawser_sample
 /* Fills the rows of the segments that are not simulated, before the first and behind the last that is
  * (sim/run/sample.c). Wound segments are in their layers on the drum, which turns, and move with its surface; those
  * taken in are all at the place where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
- * tensions. docs/model.md, "Reel and take-in". */
+ * tensions. docs/theory.md, "Reel and take-in". */
 static void absent_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts)
 {
     if (scene->first > 0) wound_take(b, scene, sample, parts);

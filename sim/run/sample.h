@@ -1,4 +1,4 @@
-/* Probes: named places of the chain whose motion and forces are recorded. docs/model.md, "Rods" (RD9). */
+/* Probes: named places of the chain whose motion and forces are recorded. docs/theory.md, "Rods" (RD9). */
 #ifndef HAWSER_SIM_RUN_SAMPLE_H
 #define HAWSER_SIM_RUN_SAMPLE_H
 

@@ -1,4 +1,4 @@
-/* The simulated part of a chain: segments first..first+n-1 of the whole, in separate arrays. docs/model.md, "Reel and
+/* The simulated part of a chain: segments first..first+n-1 of the whole, in separate arrays. docs/theory.md, "Reel and
  * take-in". */
 #ifndef HAWSER_SIM_RUN_STAGE_H
 #define HAWSER_SIM_RUN_STAGE_H
@@ -31,7 +31,7 @@ WindowMove window_move(int n, int joined, int left);
 void window_map(const WindowMove *move, int extra, int is_state, const double *from, double *to);
 /* The simulated part: the scene's chain as far as it has left the reel and not been taken in yet, with everything that
  * is built for it. Between two steps segments join behind the tail and leave at the head; the integrator continues from
- * its state. docs/model.md, "Reel and take-in" (RL10)-(RL17). */
+ * its state. docs/theory.md, "Reel and take-in" (RL10)-(RL17). */
 
 /* Stability of a run's equilibria so far; see sim/run/statics.h. */
 typedef struct Stability {

@@ -1,10 +1,11 @@
-/* Stability of equilibria, and the loads at which they lose it. docs/model.md, "Rods" (RD16)-(RD19), (RD24). */
+/* Stability of equilibria, and the loads at which they lose it. docs/theory.md, "Rods" (RD16)-(RD19), (RD24). */
 #ifndef HAWSER_SIM_RUN_STATICS_H
 #define HAWSER_SIM_RUN_STATICS_H
 
 #include "sim/run/stage.h"
 
-/* Successive static equilibria while the loads change with time. docs/model.md, "Rods" (RD8), (RD16)-(RD20), (RD23). */
+/* Successive static equilibria while the loads change with time. docs/theory.md, "Rods" (RD8), (RD16)-(RD20), (RD23).
+ */
 
 /* Moves the stage to equilibrium under the loads of time `target` (s), by smaller load steps where needed. Where
  * equilibria lose stability stage->stability gets the load; the definition's analysis.stability decides what follows.

@@ -8,7 +8,7 @@
 #include "core/vec3.h"
 #include "sim/equipment/winch.h"
 
-/* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
+/* Calibrated on the example cases and random pulls: docs/theory.md, "Error bars". */
 static const double BOOKS = 3; /* of the residual of the balances, in a mean (EB2) */
 
 static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of a figure's variation while a segment passes (EB1) */

@@ -1,5 +1,5 @@
 /* Error bounds of the figures of a run: by the steps in time, by the mesh, by friction that vanishes at rest. From the
- * data of the run itself, without a second one. docs/model.md, "Error bars". */
+ * data of the run itself, without a second one. docs/theory.md, "Error bars". */
 #ifndef HAWSER_SIM_RUN_STATS_H
 #define HAWSER_SIM_RUN_STATS_H
 

@@ -358,7 +358,7 @@ const TangentFigures *tangent_figures(const Tangent *g) { return &g->figures; }
 const double *tangent_slope(const Tangent *g, int k) { return g->pair[k].now; }
 
 /* Derivatives of a steady position's figures by any number of parameters, with the transposed matrix of the forces.
- * docs/model/92-sensitivities.md, "Changes of a position". */
+ * docs/theory/92-sensitivities.md, "Changes of a position". */
 
 /* Size by which a segment is moved (m) and rotated (rad) for the derivatives of figures: tensions are almost linear,
  * also with a stiff cable, loads of rollers are curved. */

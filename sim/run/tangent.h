@@ -1,5 +1,5 @@
 /* Response of a run to small changes of its parameters: the equations of motion linearised along it, with the Newton
- * matrix of each of its steps. docs/model.md, "Changes of a run". */
+ * matrix of each of its steps. docs/theory.md, "Changes of a run". */
 #ifndef HAWSER_SIM_RUN_TANGENT_H
 #define HAWSER_SIM_RUN_TANGENT_H
 

@@ -995,7 +995,7 @@ static hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxatio
 }
 
 /* Several chains beside each other, in the scene of the first: the figures of each among the others. Their interaction
- * is in sim/solve/chains.c. docs/model.md, "Several chains". */
+ * is in sim/solve/chains.c. docs/theory.md, "Several chains". */
 
 typedef struct Chains {
     int n;

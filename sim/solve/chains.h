@@ -1,4 +1,4 @@
-/* Springs between points of two chains: they join heads to a rope, and tie cables together. docs/model.md, "Several
+/* Springs between points of two chains: they join heads to a rope, and tie cables together. docs/theory.md, "Several
  * chains" (SC4)-(SC8). */
 #ifndef HAWSER_SIM_SOLVE_CHAINS_H
 #define HAWSER_SIM_SOLVE_CHAINS_H
@@ -37,7 +37,7 @@ double link_lost(const Link *link, const LinkNow *now);
 double link_energy(const Link *link, const LinkNow *now);
 /* Several chains that move together. Each is a scene of its own with its workspace and its equations of motion; one
  * integrator moves them all. Their interaction, contact and links, is here. A Bunch is a Motion (sim/solve/motion.h)
- * whose state is the chains' states, one after the other. docs/model.md, "Several chains". */
+ * whose state is the chains' states, one after the other. docs/theory.md, "Several chains". */
 
 /* One of the chains; borrowed. */
 typedef struct BunchChain {

@@ -1,4 +1,4 @@
-/* Newton's iteration for contacts that open and close, in place of SUNDIALS' own. docs/model.md, "Integration"
+/* Newton's iteration for contacts that open and close, in place of SUNDIALS' own. docs/theory.md, "Integration"
  * (N17)-(N20).
  *
  * A matrix is made anew as soon as the old one would take longer, and at the present iterate, instead of restarting; a

@@ -1,6 +1,6 @@
 /* A one-step method: diagonally implicit Runge-Kutta steps whose first stage is explicit (ESDIRK), stiffly accurate and
  * L-stable, with an embedded estimate of their error. Only the rates at the last step's end are passed from step to
- * step, so that the method needs no restart where the motion changes. docs/model.md, "One-step integration". The rest
+ * step, so that the method needs no restart where the motion changes. docs/theory.md, "One-step integration". The rest
  * of the program uses it through sim/solve/integrator.h. */
 #ifndef HAWSER_SIM_SOLVE_ESDIRK_H
 #define HAWSER_SIM_SOLVE_ESDIRK_H

@@ -1,5 +1,5 @@
 /* The Newton matrix's blocks from those of stiffness and damping, for the chain, the equipment, and the plane.
- * docs/model.md, "Newton matrix", (N4), (N5). */
+ * docs/theory.md, "Newton matrix", (N4), (N5). */
 #ifndef HAWSER_SIM_SOLVE_FORM_LANES_H
 #define HAWSER_SIM_SOLVE_FORM_LANES_H
 

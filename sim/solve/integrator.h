@@ -72,7 +72,7 @@ static inline int custom_linear_told(int status, int *lack)
 
 void custom_linear_free(CustomLinear *linear);
 /* Integrates the equations of motion in time: by CVODE (BDF), or by one-step methods (sim/solve/esdirk.h). Only this,
- * with sim/solve/integrator.h, contact_newton.h and failure.h, uses SUNDIALS. docs/model.md, "Integration" and
+ * with sim/solve/integrator.h, contact_newton.h and failure.h, uses SUNDIALS. docs/theory.md, "Integration" and
  * "One-step integration". */
 
 typedef struct Integrator Integrator;

@@ -66,7 +66,7 @@ ISA_KERNELS(NewtonKernels, newton_kernels)
 
 /* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates;
  * positions and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal
- * with 6x6 blocks. docs/model.md, "Newton matrix" (N1)-(N8). */
+ * with 6x6 blocks. docs/theory.md, "Newton matrix" (N1)-(N8). */
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
 void newton_free(Newton *nw);
@@ -106,7 +106,7 @@ void newton_expand(Newton *nw, double *b);
 /* Saves or loads the linearisation point, its matrix for gamma, and the choices of its solver. */
 void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w);
 /* Couplings of Newton's matrix between segments that are not neighbours (cable on cable): their part of (N5) and (N7),
- * and a solver that follows the pattern as the contact candidates change. docs/model.md, "Cable on cable" (CC21). */
+ * and a solver that follows the pattern as the contact candidates change. docs/theory.md, "Cable on cable" (CC21). */
 
 typedef struct NewtonExtra {
     const BlockExtras *from; /* K and D, borrowed from the workspace */
@@ -128,7 +128,7 @@ hawser_status newton_extra_attach(Newton *nw, const BlockExtras *from, const Lin
 void newton_extra_form(Newton *nw);
 /* x += K z for the blocks. */
 void newton_extra_couple(Newton *nw);
-/* The moving rollers' part of Newton's matrix: leaves and border around the chain. docs/model.md, "Rollers that spin
+/* The moving rollers' part of Newton's matrix: leaves and border around the chain. docs/theory.md, "Rollers that spin
  * and rollers on mounts", (SP11)-(SP13). Called by newton.c alone, except newton_leaves_point. */
 
 /* ------------------------------------------------------------------------------------------------- one roller */

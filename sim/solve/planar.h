@@ -1,5 +1,5 @@
 /* Decides whether a scene can be solved in a plane, and finds that plane; converts points and attitudes to and from it.
- * docs/model.md, "Planar chain" (PL1), (PL16), (PL17). */
+ * docs/theory.md, "Planar chain" (PL1), (PL16), (PL17). */
 #ifndef HAWSER_SIM_SOLVE_PLANAR_H
 #define HAWSER_SIM_SOLVE_PLANAR_H
 
@@ -40,7 +40,7 @@ double plane_press(const Plane *plane, int n, const double *y, double *out);
 /* Converts back (PL17): exact up to rounding. */
 void plane_lift(const Plane *plane, int n, const double *planar, double *y);
 /* A planar scene: the data of sim/scene.h in the plane's coordinates, and the loads that it applies itself.
- * docs/model.md, "Planar chain" (PL14); the laws are those of sim/dynamics.h and sim/equipment/ends.h. */
+ * docs/theory.md, "Planar chain" (PL14); the laws are those of sim/dynamics.h and sim/equipment/ends.h. */
 
 /* Gravity along the chain (F1), as Weight. */
 typedef struct PlanarWeight {
@@ -104,7 +104,7 @@ typedef struct PlanarSimKernels {
 ISA_KERNELS(PlanarSimKernels, planar_sim_kernels)
 
 /* Newton's matrix of the planar chain: (1 - gamma J) delta = b over the six rates of a segment, with the positions and
- * angles eliminated: 3x3 blocks. docs/model.md, "Planar chain" (PL15). */
+ * angles eliminated: 3x3 blocks. docs/theory.md, "Planar chain" (PL15). */
 
 /* The planar chain's Newton matrix (PL15). */
 struct PlanarNewton {
@@ -120,7 +120,7 @@ struct PlanarNewton {
 };
 
 /* The chain in a plane, six numbers per segment (core/planar.h), as the integrator sees it: for scenes that plane_find
- * accepts. docs/model.md, "Planar chain". */
+ * accepts. docs/theory.md, "Planar chain". */
 
 /* Centres (m) and axes of the segments at some time. */
 typedef struct PlanarStand {

@@ -1,4 +1,4 @@
-/* Static equilibrium before t = 0 by pseudo-transient continuation. docs/model.md, "Relaxation" (E1)-(E3). */
+/* Static equilibrium before t = 0 by pseudo-transient continuation. docs/theory.md, "Relaxation" (E1)-(E3). */
 #ifndef HAWSER_SIM_SOLVE_RELAX_H
 #define HAWSER_SIM_SOLVE_RELAX_H
 
@@ -75,7 +75,7 @@ hawser_status space_refresh(void *self, int always, hawser_error *err);
 /* Largest distance of a centre from `from` [3 n], or from the origin (NULL), m. */
 double space_farthest(const Relaxation *r, const double *from);
 /* Presumed forces of all contacts of a scene while Newton's method seeks an equilibrium, and their forces in one.
- * docs/model/44-positions.md (PS11)-(PS13). */
+ * docs/theory/44-positions.md (PS11)-(PS13). */
 
 /* Contact forces in an equilibrium, by equipment. */
 typedef struct Pressed {
@@ -90,8 +90,8 @@ typedef struct Presumption {
     SurfacePresumed surface[PARTS];
 } Presumption;
 
-/* Equilibria under changing loads: Newton's method, and the descent from an unstable equilibrium. docs/model.md, "Rods"
- * (RD8), (RD20). */
+/* Equilibria under changing loads: Newton's method, and the descent from an unstable equilibrium. docs/theory.md,
+ * "Rods" (RD8), (RD20). */
 
 /* Accuracy and parameters of the search. */
 typedef struct StaticAim {
@@ -111,7 +111,7 @@ hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, do
 hawser_status relax_downhill(const Scene *scene, Workspace *ws, Newton *newton, double t, StaticAim *aim, double *y,
                              hawser_relaxation *out, hawser_error *err);
 /* Steady motion of a chain along itself: the equilibrium of all forces, friction fully developed, inertia left out.
- * docs/model/44-positions.md (PS1)-(PS9).
+ * docs/theory/44-positions.md (PS1)-(PS9).
  *
  * The line of the chain does not move, and each segment moves to the place of the next one. That defines a field of
  * velocities over the chain's positions and attitudes, and leaves a system of equations in these: forces and moments at

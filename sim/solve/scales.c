@@ -108,7 +108,7 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
 }
 
 /* The residual of Newton's iteration is noise in the tensions, because the axial stiffness multiplies it;
- * docs/model.md, "Integration", has the figures. It is a share, of at least NEWTON_SHARE, of the error test's
+ * docs/theory.md, "Integration", has the figures. It is a share, of at least NEWTON_SHARE, of the error test's
  * tolerance; it grows as the tolerance falls, so that NEWTON_LEFT of the scales of (N10) remain at any accuracy, up to
  * CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;

@@ -1,5 +1,5 @@
 /* Measures of a step: its errors by physical scales, the weights that follow from `accuracy` and a norm that does not
- * dilute a local event in a long chain, and the distance that the chain moves in it. docs/model.md, "Integration"
+ * dilute a local event in a long chain, and the distance that the chain moves in it. docs/theory.md, "Integration"
  * (N10), (N11), (N14). */
 #ifndef HAWSER_SIM_SOLVE_SCALES_H
 #define HAWSER_SIM_SOLVE_SCALES_H
@@ -57,7 +57,7 @@ typedef struct Spatial {
 Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newton);
 /* Error of the steps in time for an oscillating pull, and the resulting bound on their length; also the rate at which
  * the pull rises. The loss of a fall in a method of second order follows from third differences of the pull, whatever
- * oscillates and wherever it is on a ramp. docs/model.md, "Error bars". */
+ * oscillates and wherever it is on a ramp. docs/theory.md, "Error bars". */
 
 enum { SWINGS_STEPS = 4 }; /* for a third difference */
 

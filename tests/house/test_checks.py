@@ -134,17 +134,17 @@ class Handles(unittest.TestCase):
 
 class Equations(unittest.TestCase):
     MODEL = "# Bushing\n```\nd = x - y        (B1)\n```\nIt follows (B1) that\n- (C2) f = 0\n"
-    INDEX = "# The model\n| [bushing](model/20-bushing.md) | springs | B, C |\n"
+    INDEX = "# The model\n| [bushing](theory/20-bushing.md) | springs | B, C |\n"
 
     def check(self, code, model=MODEL, index=INDEX):
-        return Tree({"docs/model.md": index, "docs/model/20-bushing.md": model, "core/a.c": code}).complaints(
+        return Tree({"docs/theory.md": index, "docs/theory/20-bushing.md": model, "core/a.c": code}).complaints(
             check_equations.check)
 
     def test_cited_and_given(self):
-        self.assertEqual([], self.check('/* docs/model.md, "Bushing", (B1) and (C2) */ int f(void);\n'))
+        self.assertEqual([], self.check('/* docs/theory.md, "Bushing", (B1) and (C2) */ int f(void);\n'))
 
     def test_cited_but_not_given(self):
-        self.assertEqual(["core/a.c:2: (B2) is not in docs/model.md"], self.check("\n/* by (B2) */\n"))
+        self.assertEqual(["core/a.c:2: (B2) is not in docs/theory.md"], self.check("\n/* by (B2) */\n"))
 
     def test_code_is_no_citation(self):
         self.assertEqual([], self.check("int x = (B2);\n"))
@@ -153,13 +153,13 @@ class Equations(unittest.TestCase):
         self.assertTrue(self.check("", self.MODEL + "z = 1    (B1)\n"))
 
     def test_missing_section(self):
-        self.assertTrue(self.check('/* docs/model.md, "Cable" */\n'))
+        self.assertTrue(self.check('/* docs/theory.md, "Cable" */\n'))
 
     def test_the_index_names_chapters_and_letters(self):
-        self.assertEqual(["docs/model.md: wants a row for docs/model/20-bushing.md with the letters: B, C"],
-                         self.check("", index="# The model\n| [bushing](model/20-bushing.md) | springs | B |\n"))
+        self.assertEqual(["docs/theory.md: wants a row for docs/theory/20-bushing.md with the letters: B, C"],
+                         self.check("", index="# The model\n| [bushing](theory/20-bushing.md) | springs | B |\n"))
         self.assertEqual(1, len(self.check("", index="# The model\n")))
-        self.assertEqual(1, len(self.check("", index=self.INDEX + "| [cable](model/30-cable.md) | gone | C |\n")))
+        self.assertEqual(1, len(self.check("", index=self.INDEX + "| [cable](theory/30-cable.md) | gone | C |\n")))
 
 
 class Documents(unittest.TestCase):

@@ -5,7 +5,7 @@
 #include "core/vec3.h"
 
 /* The pull from its reel through a bend, with a rope as thick as its cable: a thinner one lies elsewhere in the bend,
- * which positions do not follow (docs/model/44-positions.md). */
+ * which positions do not follow (docs/theory/44-positions.md). */
 static hawser_sim *pull_of(const char *motion, const char *key, const char *value)
 {
     return sim_of(data_text("positions"), (const char *const[]){"cables.rope.d", "88 mm", "solver.passes", "1",

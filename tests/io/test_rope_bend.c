@@ -1,4 +1,4 @@
-/* What the rope is bent round: bends, the rollers that turn it, in theory. docs/model/62-limits.md, (LI13) */
+/* What the rope is bent round: bends, the rollers that turn it, in theory. docs/theory/62-limits.md, (LI13) */
 #include "tests/io/theory_fixture.h"
 
 static const char CORNER[] =
