@@ -38,6 +38,7 @@ typedef struct CaseKey {
     const char *form;                  /* maps, lists, any: allowed forms, as text; NULL: the section */
     const struct CaseSection *section; /* of a map: its keys; of a list: those of each item */
     size_t offset, size;               /* place in the struct that is filled */
+    const char *meaning;               /* as text; NULL: io/case/key_words.c has it */
 } CaseKey;
 
 /* path: dotted, NAME for a key that the user chooses, N for a list's numbers; "" the whole case. */
