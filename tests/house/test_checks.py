@@ -168,13 +168,18 @@ class Documents(unittest.TestCase):
                      "cases/one.yaml": ""}).complaints(check_documents.check)
 
     def test_what_is_there(self):
-        self.assertEqual([], self.check("[b](b.md) ![top](../README.md) [far](https://a.b/c.md) [here](#part)\n"
+        self.assertEqual([], self.check("# A `part`, twice\n## Two\n## Two\n"
+                                        "[b](b.md) ![top](../README.md) [far](https://a.b/c.md#x) [here](#a-part-twice) [again](a.md#two-1)\n"
                                         "`core/` `core/a.c` `core/a.{c,h}` `cases/NAME.yaml` `core/*.h` `sim` `a/b.c`\n"))
 
     def test_what_is_not(self):
         self.assertEqual(["docs/a.md:2: links to c.md, which is not there"], self.check("\n[c](c.md)\n"))
         self.assertEqual(["docs/a.md:1: names core/b.c, which is not there"], self.check("`core/b.c`"))
         self.assertEqual(1, len(self.check("`core/a.{c,cc}`")))
+
+    def test_headings_that_are_not(self):
+        self.assertEqual(["docs/a.md:3: links to #two, which is not there", "docs/a.md:4: links to b.md#one, which is not there"],
+                         self.check("# One\n\n[c](#two)\n[d](b.md#one)\n```\n# Two\n```\n"))
 
 
 class Causes(unittest.TestCase):
