@@ -1,6 +1,6 @@
 /* The keys of a case as tables, one row a key, and the reader that fills plain structs by them. A section's table is at
  * the head of the file that reads it (io/case); its rows point into the definition wherever nothing has to be computed.
- * The tables also drive the tests of bad input and the check of docs/case-format.md. */
+ * The tables also drive the tests of bad input and docs/reference/case-keys.md. */
 #ifndef HAWSER_IO_CASE_SCHEMA_H
 #define HAWSER_IO_CASE_SCHEMA_H
 
