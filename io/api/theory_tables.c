@@ -628,7 +628,7 @@ static const Column note_column[] = {
 };
 static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
-static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/reference/limits.md, "Cold" */
+static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/guide/plan-a-duct.md */
 
 /* Writes the parts of a file that are not in the route, if there are any. 1: a note. */
 static int unread_say(const SceneDef *def, char *text, size_t room)
