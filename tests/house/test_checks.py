@@ -11,6 +11,7 @@ import check_handles
 import check_includes
 import check_reference
 import check_sizes
+import check_style
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
 import architecture  # noqa: E402
@@ -180,6 +181,20 @@ class Documents(unittest.TestCase):
     def test_headings_that_are_not(self):
         self.assertEqual(["docs/a.md:3: links to #two, which is not there", "docs/a.md:4: links to b.md#one, which is not there"],
                          self.check("# One\n\n[c](#two)\n[d](b.md#one)\n```\n# Two\n```\n"))
+
+
+class Style(unittest.TestCase):
+    def check(self, path, text):
+        return Tree({path: text}).complaints(check_style.check)
+
+    def test_pages_by_hand(self):
+        long = "Word " * 31 + "end.\n"
+        self.assertEqual([], self.check("docs/theory/a.md", "A short sentence.\n"))
+        self.assertIn("a sentence of 32 words", self.check("docs/theory/a.md", long)[0])
+        self.assertEqual([], self.check("docs/reference/columns.md", long))
+
+    def test_terms(self):
+        self.assertIn("write given", self.check("bench/README.md", "The program is told a length.\n")[0])
 
 
 class Causes(unittest.TestCase):
