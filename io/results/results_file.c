@@ -578,9 +578,10 @@ const SampleColumn sample_column[] = {
     /* simulated time */
     {"time_s", VALUE(t), .set = "time", .unit = "s", .about = "time of every state"},
     /* pull of the winch on the rope's end, along the winch's direction */
-    {"winch_force_N", VALUE(winch_force), .set = "winch_force", .unit = "N", .about = "as in series.csv"},
+    {"winch_force_N", VALUE(winch_force), .set = "winch_force", .unit = "N",
+     .about = "pull of the winch on the rope's end"},
     /* back tension at the tail; with a reel that pays out, tension of the cable where it leaves the drum */
-    {"tail_tension_N", VALUE(tail_tension), .set = "tail_tension", .unit = "N", .about = "as in series.csv"},
+    {"tail_tension_N", VALUE(tail_tension), .set = "tail_tension", .unit = "N", .about = "back tension at the tail"},
     /* prescribed speed; of a winch with a set tension the speed of the head */
     {"winch_speed_m_per_s", VALUE(winch_speed)},
     /* length hauled in so far */
