@@ -1,4 +1,5 @@
-"""What the documents point to is there: files and headings behind links, and paths in backticks below the project's folders.
+"""What the documents point to is there: files and headings behind links, and paths in backticks below the project's folders;
+sections that comments in the sources cite, as in docs/formats.md, "The checkpoint".
 
 Usage: check_documents.py ROOT
 A path in backticks counts if it begins with a folder of the project ("`sim/solve/newton.c`", "`bench/results/`"); it may hold
@@ -16,6 +17,7 @@ LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]*))?[^)]*\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.M)
 BLOCK = re.compile(r"^```.*?^```", re.M | re.S)
 PATH = re.compile(rf"`((?:{TOPS})/[\w./*{{}},-]*)`")
+CITED = re.compile(r'(docs/(?!theory)[\w/-]+\.md),[\s*]*"([^"]+)"')  # check_equations.py reads the theory's
 MADE = re.compile(r"bench/results/[A-Z]|build/")  # by a run, elsewhere
 
 
@@ -69,6 +71,13 @@ def check(root):
         for m in PATH.finditer(text):
             if not MADE.match(m.group(1)) and not is_there(root, m.group(1)):
                 complain(m.start(), f"names {m.group(1)}")
+    for source in tree.sources(root, [*tree.BELOW, "tests", "bench"]):
+        for line, comment in tree.comments(tree.read(root, source)):
+            for document, section in CITED.findall(comment):
+                there = os.path.exists(os.path.join(root, document))
+                headings = HEADING.findall(tree.read(root, document).replace("`", "").lower()) if there else []
+                if not any(heading.startswith(section.lower()) for heading in headings):
+                    complaints.append(f'{source}:{line}: cites {document}, "{section}", which is not there')
     return complaints
 
 

@@ -183,6 +183,12 @@ class Documents(unittest.TestCase):
                          self.check("# One\n\n[c](#two)\n[d](b.md#one)\n```\n# Two\n```\n"))
 
 
+    def test_sections_that_comments_cite(self):
+        found = Tree({"docs/a.md": "# One `x`\n## Two (and more)\n", "core/a.c": '/* docs/a.md, "Two"; docs/a.md,\n * "One x". */\n',
+                      "core/b.c": '/* docs/a.md, "Three". */\n'}).complaints(check_documents.check)
+        self.assertEqual(['core/b.c:1: cites docs/a.md, "Three", which is not there'], found)
+
+
 class Style(unittest.TestCase):
     def check(self, path, text):
         return Tree({path: text}).complaints(check_style.check)
