@@ -66,13 +66,13 @@ def unit_of(key):
 
 
 def document(rows, first="column"):
-    """A table of the document, of (keys, unit, meaning) or of columns; columns that share a unit and a meaning share a line."""
+    """A table of the document, of (key, unit, meaning); rows that share a unit and a meaning share a line."""
     lines = []
     for key, unit, meaning in rows:
         if not meaning and lines and lines[-1][1] == unit:
             lines[-1][0].append(key)
         else:
-            lines.append(([key], unit, meaning))
+            lines.append(([key], unit, meaning or lines[-1][2]))
     text = f"| {first} | unit | meaning |\n|---|---|---|\n"
     for keys, unit, meaning in lines:
         text += f"| {', '.join(f'`{key}`' for key in keys)} | {unit + ' ' if unit else ''}| {meaning} |\n"
