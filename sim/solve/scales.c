@@ -110,7 +110,7 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
 /* The residual of Newton's iteration is noise in the tensions, because the axial stiffness multiplies it;
  * docs/theory.md, "Integration", has the figures. It is a share, of at least NEWTON_SHARE, of the error test's
  * tolerance; it grows as the tolerance falls, so that NEWTON_LEFT of the scales of (N10) remain at any accuracy, up to
- * CVODE's default. */
+ * NEWTON_SHARE_MOST. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
 
 /* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
@@ -385,14 +385,15 @@ static const double SHORTER = 0.9, LONGER = 1.4, MAY = 1.5;
 /* Lower bound, over the longest step without oscillations: faster ones are left to the error test. */
 static const double LEAST = 1.0 / 16;
 
-/* Loss of a method of second order in an oscillation that falls in n steps, half of its period: pi^4/4n^3 of it
- * (EB23). */
-static void fall_record(Swings *s, double before, double pull)
+/* Loss of an oscillation that falls in n steps, half of its period: pi^4/4n^3 of it to a method of second order (EB23);
+ * with the one-step method the share that lies between its steps (EB35). */
+static void fall_record(Swings *s, MethodChoice method, double before, double pull)
 {
     static const double HALF = M_PI * M_PI * M_PI * M_PI / 4;
     if (s->downward++ == 0) s->top = before;
     const double n = s->downward;
-    s->fades = fmax(s->fades, fmin(1, HALF / (n * n * n)) * (s->top - pull));
+    const double lost = method == METHOD_ESDIRK ? (1 - cos(M_PI / (2 * n))) / 2 : fmin(1, HALF / (n * n * n));
+    s->fades = fmax(s->fades, lost * (s->top - pull));
 }
 
 /* h: the last step, s, that ended at t. */
@@ -449,7 +450,7 @@ void swings_step(Swings *s, const Scene *scene, double t, double pull)
     s->pull[SWINGS_STEPS - 1] = pull;
     s->largest = fmax(s->largest, fabs(pull));
     if (pull < before) {
-        fall_record(s, before, pull);
+        fall_record(s, solver->method, before, pull);
     } else {
         rise_record(s, before, pull, h, t);
     }
