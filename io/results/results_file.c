@@ -429,6 +429,11 @@ hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_
 {
     OutDir folder;
     char dir[OUT_PATH_MAX];
+    if (!strcmp(path, "-")) {
+        const int written = fwrite(bytes, 1, size, stdout) == size && !fflush(stdout);
+        return written ? HAWSER_OK
+                       : error_set(err, HAWSER_ERR_OUTPUT, "cannot write to standard output: %s", strerror(errno));
+    }
     const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
     const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
     if (!*name) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': it names no file", path);
