@@ -5,6 +5,7 @@
 
 #include <assert.h>
 #include <dirent.h>
+#include <endian.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -468,7 +469,7 @@ static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum
         n = whole_read(fd, block, BLOCK);
         if (most >= 0 && n > most - sum->bytes) n = (ssize_t)(most - sum->bytes);
         if (n <= 0) break;
-        const uint64_t both[2] = {all, checkpoint_hash(block, (size_t)n)};
+        const uint64_t both[2] = {htole64(all), htole64(checkpoint_hash(block, (size_t)n))};
         all = checkpoint_hash(both, sizeof both);
         sum->bytes += (long)n;
     }
