@@ -576,7 +576,7 @@ static int take_stdin(const Command *command, int argc, char **argv)
 /* Rejects standard output for results in a folder, and for what a browser or an archive writes. */
 static int check_output(const Command *command, const Arguments *args)
 {
-    const int output = args->dir && !strcmp(args->dir, "-");
+    const int output = is_stdout(args->dir);
     if (!output || (!strchr(command->options, '#') && !args->pdf)) return ARGUMENTS_GO_ON;
     complain("%s -o -: this is not written to standard output: give a name", command->name);
     return EXIT_USAGE;

@@ -85,6 +85,8 @@ void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Prints that `what` ("command", "option") `given` is not known, with the nearest of the n known ones if one is near.
  */
 void complain_unknown(const char *what, const char *given, int n, const char *const *known);
+/* Checks whether a name stands for standard output; NULL does not. */
+int is_stdout(const char *name);
 /* Returns which of the n known words `given` is; -1 after a message that names all, and the nearest if one is near. */
 int choose(const char *option, const char *given, int n, const char *const *known);
 /* Prints the message of a failed library call, and returns the exit status of the shell. */

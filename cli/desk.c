@@ -41,7 +41,7 @@ static int desk(const Arguments *args)
     char beside[PAGE_PATH];
     const char *const path = args->case_path ? page_path(args, "desk", beside) : args->dir ? args->dir : "desk.html";
     const hawser_status status = hawser_desk_write(args->case_path, path, &err);
-    const int quiet = args->quiet || !strcmp(path, "-");
+    const int quiet = args->quiet || is_stdout(path);
     if (!status && !quiet) tell("Desk: %s, for any browser", path);
     if (!status && !quiet) open_page(path);
     return finish_stdout(exit_status(status, &err));

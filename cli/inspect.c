@@ -114,7 +114,7 @@ static int write_list(const Arguments *args)
     hawser_status status = load_case(args, &c, &err);
     if (!status) status = hawser_case_equipment(c, HAWSER_CSV, &text, &err);
     if (!status) status = hawser_case_spares(c, args->crew, &err);
-    const int shown = !strcmp(args->crew, "-");
+    const int shown = is_stdout(args->crew);
     if (!status && shown) fputs(text, stdout);
     FILE *const file = status || shown ? NULL : fopen(args->crew, "w");
     int number = file || status || shown ? 0 : errno;
@@ -179,7 +179,7 @@ static int write_page(const Arguments *args, SheetWrite write, const char *path)
 static int write_crew(const Arguments *args)
 {
     const size_t n = strlen(args->crew);
-    if (!strcmp(args->crew, "-") || (n > 4 && !strcmp(args->crew + n - 4, ".csv"))) return write_list(args);
+    if (is_stdout(args->crew) || (n > 4 && !strcmp(args->crew + n - 4, ".csv"))) return write_list(args);
     Arguments lenient = *args; /* the verdict's exit status comes from the printed text */
     lenient.strict = 0;
     return write_page(&lenient, hawser_case_crew_sheet, args->crew);
@@ -198,7 +198,7 @@ static int theory(const Arguments *args)
         return EXIT_USAGE;
     }
     const int status = args->crew ? write_crew(args) : 0;
-    if (status || (args->crew && !strcmp(args->crew, "-"))) return finish_stdout(status);
+    if (status || is_stdout(args->crew)) return finish_stdout(status);
     if (args->report)
         return finish_stdout(write_page(args, hawser_case_calculation, page_path(args, "calculation", path)));
     return args->sensitivities ? print_case(args, hawser_case_sensitivities) : print_theory(args);
@@ -312,7 +312,7 @@ static int place(const Arguments *args)
     options.to = args->dir;
     hawser_status status = load_case(args, &c, &err);
     if (!status) status = hawser_case_place(c, &options, args->format, &text, &word, &err);
-    if (!status && !(options.to && !strcmp(options.to, "-"))) print_answer(args, text);
+    if (!status && !is_stdout(options.to)) print_answer(args, text);
     hawser_text_free(text);
     hawser_case_free(c);
     return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
@@ -344,7 +344,7 @@ static int upgrade(const Arguments *args)
     int changes;
     const char *const out = !args->dir && !strcmp(args->case_path, STDIN_PATH) ? "-" : args->dir,
                       *const to = out ? out : args->case_path;
-    const int quiet = args->quiet || !strcmp(to, "-");
+    const int quiet = args->quiet || is_stdout(to);
     const hawser_status status = hawser_case_upgrade(args->case_path, out, &changes, &err);
     if (status) return exit_status(status, &err);
     if (!quiet && changes > 0) tell("%s: rewritten in %d place%s", to, changes, changes > 1 ? "s" : "");

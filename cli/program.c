@@ -130,7 +130,9 @@ void print_answer(const Arguments *args, const char *text)
     }
 }
 
-/* The name of a file, for those that are made beside it. */
+/* Names of files. */
+
+int is_stdout(const char *name) { return name && !strcmp(name, "-"); }
 
 const char *file_stem(const char *path, int *length)
 {

@@ -372,13 +372,17 @@ static hawser_status folders_write(void *what, const char *path, hawser_error *e
 {
     const Folders *const f = what;
     const int study = f->n == 1 && study_is_in(f->folder[0]);
+    if (study && is_stdout(path)) {
+        *err = (hawser_error){HAWSER_ERR_INPUT, "the page of a study goes into a file: give its name with -o"};
+        return HAWSER_ERR_INPUT;
+    }
     return study ? hawser_study_report(f->folder[0], path, err) : hawser_report_write(f->folder, f->n, path, err);
 }
 
 static hawser_status page_write(PageWrite write, void *what, const char *path, int quiet, hawser_error *err)
 {
     const hawser_status status = write(what, path, err);
-    if (!status && !quiet && strcmp(path, "-") != 0) tell("Report: %s", path);
+    if (!status && !quiet && !is_stdout(path)) tell("Report: %s", path);
     return status;
 }
 

@@ -57,7 +57,7 @@ static int route(const Arguments *args)
     if (!status && args->dir) status = hawser_routes_write(r, -1, args->dir, &err);
     if (!status && args->picture) status = hawser_routes_write(r, -1, args->picture, &err);
     if (!status) status = hawser_routes_describe(r, args->format, &text, &err);
-    if (!status && !(args->dir && !strcmp(args->dir, "-"))) print_answer(args, text);
+    if (!status && !is_stdout(args->dir)) print_answer(args, text);
     hawser_text_free(text);
     hawser_routes_free(r);
     return finish_stdout(exit_status(status, &err));

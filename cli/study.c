@@ -171,7 +171,7 @@ static int job(const Arguments *args)
         complain("job: --xlsx and -o name the same file");
         return EXIT_USAGE;
     }
-    const int output = args->dir && !strcmp(args->dir, "-");
+    const int output = is_stdout(args->dir) || is_stdout(args->crew);
     hawser_status status = hawser_job_load(args->case_path, &made, &err);
     if (!status) status = hawser_job_answer(made, args->format, &text, &word, &err);
     if (!status && !output) print_answer(args, text);
@@ -240,7 +240,7 @@ static int compare(const Arguments *args)
         options.page = page;
     }
     const hawser_status status = hawser_compare(args->words[0], args->words[1], &options, &text, &err);
-    if (!status) print_answer(args, text);
+    if (!status && !is_stdout(options.page)) print_answer(args, text);
     if (!status && args->report && !args->quiet) tell("Report: %s", options.page);
     hawser_text_free(text);
     return finish_stdout(exit_status(status, &err));

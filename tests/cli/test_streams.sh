@@ -51,6 +51,7 @@ run_hawser 0 theory capstan.yaml --crew -
 says out "number,kind,name,"
 run_hawser 0 theory capstan.yaml --report -o -
 says out "<!doctype html>"
+[ "$(head -c 9 "$work/out")" = "<!doctype" ] || fail "$what: something stands before the page"
 missing - -.html
 piped capstan.yaml 2 study -
 says err "standard input cannot be used"
