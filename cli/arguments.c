@@ -2,11 +2,14 @@
  * takes, so that an option without meaning for it is rejected like an unknown one. */
 #include "cli/arguments.h"
 
+#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 enum {
     OPTION_LINEAR_SOLVER = 'l',
@@ -52,7 +55,7 @@ enum {
     OPTION_PUSH = '1',
     OPTION_WITH = '2',
     OPTION_LUBRICANT = '3',
-    KNOWN_MAX = 22
+    KNOWN_MAX = 24
 };
 
 /* All options of all commands; a command takes those whose letter is in its list, and help and version. */
@@ -187,34 +190,30 @@ static int take_study_option(int letter, Arguments *args)
 /* Reads --format: the three forms of hawser_format by name. */
 static int parse_format(const char *text, Arguments *args)
 {
-    const char *const names[] = {"table", "json", "csv"};
-    const hawser_format formats[] = {HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV};
-    for (int i = 0; i < 3; i++) {
-        if (strcmp(text, names[i])) continue;
-        args->format = formats[i];
-        return ARGUMENTS_GO_ON;
-    }
-    complain("--format %s: 'table', 'json' or 'csv' can be used", text);
-    return EXIT_USAGE;
+    static const char *const names[] = {"table", "json", "csv"};
+    static const hawser_format formats[] = {HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV};
+    const int i = choose("--format", text, 3, names);
+    if (i < 0) return EXIT_USAGE;
+    args->format = formats[i];
+    return ARGUMENTS_GO_ON;
 }
 
 /* Reads --fmi: a version of the interface, by its first number. */
 static int parse_fmi(const char *text, Arguments *args)
 {
-    const int two = !strcmp(text, "2") || !strcmp(text, "2.0"), three = !strcmp(text, "3") || !strcmp(text, "3.0");
-    args->fmi = two ? HAWSER_FMI_2 : HAWSER_FMI_3;
-    if (two || three) return ARGUMENTS_GO_ON;
-    complain("--fmi %s: '2' or '3' can be used", text);
-    return EXIT_USAGE;
+    static const char *const names[] = {"2", "3", "2.0", "3.0"};
+    const int i = choose("--fmi", text, 4, names);
+    args->fmi = i % 2 ? HAWSER_FMI_3 : HAWSER_FMI_2;
+    return i < 0 ? EXIT_USAGE : ARGUMENTS_GO_ON;
 }
 
 /* Reads --units, for text for readers; files and formats for programs are in SI. */
 static int parse_units(const char *text, Arguments *args)
 {
-    args->units = strcmp(text, "us") ? HAWSER_SI : HAWSER_US;
-    if (args->units == HAWSER_US || !strcmp(text, "si")) return ARGUMENTS_GO_ON;
-    complain("--units %s: 'si' or 'us' can be used", text);
-    return EXIT_USAGE;
+    static const char *const names[] = {"si", "us"};
+    const int i = choose("--units", text, 2, names);
+    args->units = i == 1 ? HAWSER_US : HAWSER_SI;
+    return i < 0 ? EXIT_USAGE : ARGUMENTS_GO_ON;
 }
 
 /* Rejects units with a format for programs. */
@@ -332,10 +331,10 @@ static int take_compare_option(int letter, hawser_compare_options *compare)
         return EXIT_USAGE;
     }
     if (letter != OPTION_ALIGN) return status;
-    compare->by_start = !strcmp(optarg, "start");
-    if (compare->by_start || !strcmp(optarg, "length")) return ARGUMENTS_GO_ON;
-    complain("--align %s: 'length' or 'start' can be used", optarg);
-    return EXIT_USAGE;
+    static const char *const ways[] = {"length", "start"};
+    const int i = choose("--align", optarg, 2, ways);
+    compare->by_start = i == 1;
+    return i < 0 ? EXIT_USAGE : ARGUMENTS_GO_ON;
 }
 
 /* Needs no check of the size: memory was allocated for as many settings as there are words on the command line. */
@@ -355,6 +354,15 @@ static int parse_setting(char *text, Arguments *args)
     }
     *equal = 0;
     return add_setting(text, equal + 1, args);
+}
+
+/* Reads --with, the kind of step that is placed. */
+static int parse_with(const char *text, hawser_place_options *place)
+{
+    static const char *const names[] = {"machines", "pits"};
+    const int i = choose("--with", text, 2, names);
+    place->only = i == 1 ? HAWSER_PLACE_PITS : HAWSER_PLACE_MACHINES;
+    return i < 0 ? EXIT_USAGE : ARGUMENTS_GO_ON;
 }
 
 /* Takes --certify, and options that imply it. */
@@ -391,12 +399,7 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_PUSH:
         return add_setting("theory.machine_push", optarg, args);
     case OPTION_WITH:
-        args->place.only = !strcmp(optarg, "machines") ? HAWSER_PLACE_MACHINES
-                           : !strcmp(optarg, "pits")   ? HAWSER_PLACE_PITS
-                                                       : HAWSER_PLACE_ANY;
-        if (args->place.only) return ARGUMENTS_GO_ON;
-        complain("--with: '%s': allowed are machines and pits", optarg);
-        return EXIT_USAGE;
+        return parse_with(optarg, &args->place);
     case OPTION_LUBRICANT:
         args->place.lubricant = optarg;
         return ARGUMENTS_GO_ON;
@@ -530,6 +533,55 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
     return EXIT_USAGE;
 }
 
+/* Makes standard input a file that every reader can open from its start, as often as it needs. Returns an exit status,
+ * or ARGUMENTS_GO_ON. */
+static int stdin_keep(void)
+{
+    enum { BLOCK = 1 << 16 };
+    static const long MOST = 1L << 30; /* bytes */
+    struct stat state;
+    char block[BLOCK];
+    if (!fstat(STDIN_FILENO, &state) && S_ISREG(state.st_mode)) return ARGUMENTS_GO_ON;
+    if (isatty(STDIN_FILENO)) {
+        complain(
+            "'-' is standard input, which is a terminal here: give a file, or a pipe as in: cat FILE | hawser ...");
+        return EXIT_USAGE;
+    }
+    FILE *const kept = tmpfile();
+    long size = 0;
+    size_t n = 1;
+    for (; kept && size <= MOST && (n = fread(block, 1, BLOCK, stdin)) > 0; size += (long)n)
+        if (fwrite(block, 1, n, kept) != n) break;
+    const int wrong = !kept || ferror(stdin) || n > 0 || fflush(kept) || dup2(fileno(kept), STDIN_FILENO) < 0;
+    const int number = errno;
+    if (kept) fclose(kept);
+    if (!wrong) return ARGUMENTS_GO_ON;
+    complain("standard input: %s", size > MOST ? "larger than 1 GiB" : strerror(number));
+    return size > MOST ? EXIT_USAGE : EXIT_OUTPUT;
+}
+
+/* Puts the path of standard input in place of each word `-`. */
+static int take_stdin(const Command *command, int argc, char **argv)
+{
+    static char path[] = STDIN_PATH;
+    int status = ARGUMENTS_GO_ON;
+    for (int i = optind; i < argc && status == ARGUMENTS_GO_ON && !strchr(command->options, '+'); i++) {
+        if (strcmp(argv[i], "-") != 0) continue;
+        status = stdin_keep();
+        argv[i] = path;
+    }
+    return status;
+}
+
+/* Rejects standard output for results in a folder, and for what a browser or an archive writes. */
+static int check_output(const Command *command, const Arguments *args)
+{
+    const int output = is_stdout(args->dir);
+    if (!output || (!strchr(command->options, '#') && !args->pdf)) return ARGUMENTS_GO_ON;
+    complain("%s -o -: this is not written to standard output: give a name", command->name);
+    return EXIT_USAGE;
+}
+
 /* getopt moves the options before the other words, so that they may stand anywhere; after "--" there are none. All
  * messages about the command line come from this file, not from getopt. */
 int arguments_parse(const Command *command, int argc, char **argv, Arguments *args)
@@ -556,6 +608,8 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
         result = take_option(command, letter, args);
     }
     if (result == ARGUMENTS_GO_ON) result = settle_units(args);
+    if (result == ARGUMENTS_GO_ON) result = check_output(command, args);
+    if (result == ARGUMENTS_GO_ON) result = take_stdin(command, argc, argv);
     return result == ARGUMENTS_GO_ON ? take_case(command, argc, argv, args) : result;
 }
 

@@ -17,13 +17,16 @@ enum {
 /* Return value of arguments_parse if the command is to be run. */
 enum { ARGUMENTS_GO_ON = -1 };
 
+/* Path of standard input, which `-` stands for. */
+#define STDIN_PATH "/dev/stdin"
+
 /* One --set; the strings are parts of the command line. */
 typedef struct Setting {
     const char *key, *value;
 } Setting;
 
 typedef struct Arguments {
-    const char *case_path; /* or the file of routes */
+    const char *case_path; /* or the file of routes; standard input is STDIN_PATH */
     const char *dir;       /* NULL: from the case's name */
     Setting *settings;     /* [n_settings], in the order given */
     int n_settings;
@@ -65,7 +68,7 @@ typedef struct Command {
     const char *summary; /* a line for the list of commands */
     const char *options; /* letters of its options, see arguments.c; '-': it takes no case; '+': a kind and a pattern,
                           * or add and words; '/': a file of routes; '?': a case or none; 'J': a study; '*': words of
-                          * its own, at least one */
+                          * its own, at least one; '#': -o cannot be standard output */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;
@@ -82,6 +85,10 @@ void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Prints that `what` ("command", "option") `given` is not known, with the nearest of the n known ones if one is near.
  */
 void complain_unknown(const char *what, const char *given, int n, const char *const *known);
+/* Checks whether a name stands for standard output; NULL does not. */
+int is_stdout(const char *name);
+/* Returns which of the n known words `given` is; -1 after a message that names all, and the nearest if one is near. */
+int choose(const char *option, const char *given, int n, const char *const *known);
 /* Prints the message of a failed library call, and returns the exit status of the shell. */
 int exit_status(hawser_status status, const hawser_error *err);
 /* Flushes standard output; a failure (a full disk) turns success into EXIT_OUTPUT with a message. */

@@ -82,8 +82,12 @@ int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const ch
 
 /* Returns the columns of the terminal on standard output, at most 120; 80 where it is no terminal. */
 int terminal_width(void);
-/* Prints an answer to standard output, with the words of verdicts in colour on a terminal unless NO_COLOR forbids it.
- */
-void print_answer(const char *text);
+/* Checks whether a command's answer is printed: --quiet drops tables, not the JSON or CSV that --format requests. */
+int is_shown(const Arguments *args);
+/* Prints an answer to standard output if it is shown, with the words of verdicts in colour on a terminal unless
+ * NO_COLOR forbids it. */
+void print_answer(const Arguments *args, const char *text);
+/* Returns the name in a path, and the length of that name without its ending. */
+const char *file_stem(const char *path, int *length);
 
 #endif

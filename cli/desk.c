@@ -5,23 +5,26 @@
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 extern char **environ;
 
-static const char help[] =
-    "Usage: hawser desk [CASE] [options]\n"
-    "\n"
-    "Writes the desk, one HTML file that calculates pulls in any browser without hawser and without a network\n"
-    "(docs/guide), with the text of CASE in it, and opens it where there is a screen. Files that the case names\n"
-    "(a route, a drawing) are not in it: open them on the desk as well.\n"
-    "\n"
-    "  -o, --output FILE       where it goes (default: CASE's name with -desk.html, or desk.html)\n"
-    "  -q, --quiet             prints nothing but errors, and opens nothing\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 done; 2 the case cannot be read; 4 the file cannot be written; 5 no memory.\n";
+static const char help[] = "Usage: hawser desk [CASE] [options]\n"
+                           "\n"
+                           "Writes the desk, one HTML file that calculates pulls in any browser without\n"
+                           "hawser and without a network (docs/guide), with the text of CASE in it, and\n"
+                           "opens it where there is a screen. Files that the case names (a route, a\n"
+                           "drawing) are not in it: open them on the desk as well.\n"
+                           "\n"
+                           "  -o, --output FILE       where it goes (default: CASE's name with -desk.html,\n"
+                           "                          or desk.html)\n"
+                           "  -q, --quiet             prints nothing but errors, and opens nothing\n"
+                           "  -h, --help              this text\n"
+                           "  -V, --version           the version\n"
+                           "\n"
+                           "Exit status: 0 done; 2 the case cannot be read; 4 the file cannot be written; 5\n"
+                           "no memory.\n";
 
 /* Opens the page in the desktop's default browser. */
 static void open_page(const char *path)
@@ -38,8 +41,9 @@ static int desk(const Arguments *args)
     char beside[PAGE_PATH];
     const char *const path = args->case_path ? page_path(args, "desk", beside) : args->dir ? args->dir : "desk.html";
     const hawser_status status = hawser_desk_write(args->case_path, path, &err);
-    if (!status && !args->quiet) tell("Desk: %s, for any browser", path);
-    if (!status && !args->quiet) open_page(path);
+    const int quiet = args->quiet || is_stdout(path);
+    if (!status && !quiet) tell("Desk: %s, for any browser", path);
+    if (!status && !quiet) open_page(path);
     return finish_stdout(exit_status(status, &err));
 }
 

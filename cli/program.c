@@ -21,9 +21,11 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 static void print_usage(FILE *f)
 {
     fprintf(f, "Usage: hawser COMMAND CASE [options]\n\n"
-               "Says how hard a power cable will have to be pulled, and whether that is safe. Commands:\n\n");
+               "Says how hard a power cable will have to be pulled, and whether that is safe.\n"
+               "Commands:\n\n");
     for (int i = 0; i < COMMANDS; i++) fprintf(f, "  %-8s %s\n", commands[i]->name, commands[i]->summary);
-    fprintf(f, "\nhawser COMMAND --help says more about each. Case files are described in docs/case-format.md.\n"
+    fprintf(f, "\nhawser COMMAND --help says more about each. docs/case-format.md describes case\n"
+               "files. For a file, - is standard input; after -o it is standard output.\n"
                "  -h, --help     this text\n"
                "  -V, --version  the version\n");
 }
@@ -101,7 +103,12 @@ static int has_colour(void)
     return isatty(STDOUT_FILENO) && !(no && *no) && !(terminal && !strcmp(terminal, "dumb"));
 }
 
-void print_answer(const char *text)
+int is_shown(const Arguments *args)
+{
+    return !args->quiet || args->format == HAWSER_JSON || args->format == HAWSER_CSV;
+}
+
+void print_answer(const Arguments *args, const char *text)
 {
     static const char *const colour[HAWSER_WORDS] = {[HAWSER_SAFE] = "32",
                                                      [HAWSER_NOT_SAFE] = "31",
@@ -109,7 +116,7 @@ void print_answer(const char *text)
                                                      [HAWSER_NOT_TRUSTED] = "33",
                                                      [HAWSER_SAFE_ONLY_IF] = "33"};
     const int coloured = has_colour();
-    for (const char *line = text; *line;) {
+    for (const char *line = is_shown(args) ? text : ""; *line;) {
         const size_t n = strcspn(line, "\n") + (strchr(line, '\n') != NULL);
         const hawser_word word = coloured ? hawser_word_of(line + strspn(line, " ")) : HAWSER_WORDS;
         if (word == HAWSER_WORDS) {
@@ -121,6 +128,18 @@ void print_answer(const char *text)
         }
         line += n;
     }
+}
+
+/* Names of files. */
+
+int is_stdout(const char *name) { return name && !strcmp(name, "-"); }
+
+const char *file_stem(const char *path, int *length)
+{
+    const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path,
+                      *const dot = strrchr(name, '.');
+    *length = (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name));
+    return name;
 }
 
 /* Error messages of the program, and its exit status then. A wrong name is answered with the nearest right one. */
@@ -172,41 +191,28 @@ void tell(const char *format, ...)
     printf("%s\n", text);
 }
 
-/* Returns how many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */
-static int edit_distance(const char *a, const char *b)
-{
-    int row[WORD_MAX + 1];
-    const int n = (int)strlen(b);
-    if (n > WORD_MAX) return WORD_MAX;
-    for (int j = 0; j <= n; j++) row[j] = j;
-    for (int i = 1; a[i - 1]; i++) {
-        int corner = row[0];
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            const int change = corner + (a[i - 1] != b[j - 1]);
-            const int drop = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            corner = row[j];
-            row[j] = change < drop ? change : drop;
-        }
-    }
-    return row[n];
-}
-
-/* Finds a near name: at most a third of its letters (and one more) are wrong: "thoery" is near, "xyzzy" is not. */
 void complain_unknown(const char *what, const char *given, int n, const char *const *known)
 {
     char word[WORD_MAX];
-    const char *best = NULL;
-    int least = 0;
     /* the part before a '=' */
     snprintf(word, sizeof word, "%.*s", (int)strcspn(given, "="), given);
-    for (int i = 0; i < n; i++) {
-        const int distance = edit_distance(word, known[i]);
-        if (!best || distance < least) best = known[i], least = distance;
-    }
-    const int near = best && least <= 1 + (int)strlen(word) / 3;
-    if (near) complain("unknown %s '%s'; did you mean '%s'?", what, given, best);
+    const char *const near = hawser_nearest(word, known, n);
+    if (near) complain("unknown %s '%s'; did you mean '%s'?", what, given, near);
     if (!near) complain("unknown %s '%s'; try --help", what, given);
+}
+
+int choose(const char *option, const char *given, int n, const char *const *known)
+{
+    char all[256] = "";
+    for (int i = 0; i < n; i++) {
+        const size_t used = strlen(all);
+        if (!strcmp(given, known[i])) return i;
+        snprintf(all + used, sizeof all - used, "%s'%s'", i == 0 ? "" : i + 1 < n ? ", " : " or ", known[i]);
+    }
+    const char *const near = hawser_nearest(given, known, n);
+    if (near) complain("%s %s: %s can be used; did you mean '%s'?", option, given, all, near);
+    if (!near) complain("%s %s: %s can be used", option, given, all);
+    return -1;
 }
 
 /* Returns the library's status, which is an exit status too. */

@@ -289,15 +289,14 @@ static int is_listed(const char *list, const char *name)
 
 int report_tables_check(const char *list)
 {
+    const char *names[PARTS + 1] = {"all"};
+    int n = 1;
+    for (int k = 0; k < PARTS; k++)
+        if (parts[k].name) names[n++] = parts[k].name;
     for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
         char name[32];
-        int found = 0;
         snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
-        found |= !strcmp(name, "all");
-        for (int k = 0; k < PARTS; k++) found |= parts[k].name && !strcmp(parts[k].name, name);
-        if (found) continue;
-        complain("--tables: no table '%s': there are all, bundle, machines, limits, rest, balances, work, times", name);
-        return 0;
+        if (choose("--tables", name, n, names) < 0) return 0;
     }
     return 1;
 }
@@ -309,7 +308,7 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir)
     hawser_sim_summary(s, &r.sum);
     r.n_limits = hawser_sim_limits(s, r.limit);
     putchar('\n');
-    print_answer(hawser_sim_answer(s, args->units, answer, sizeof answer));
+    print_answer(args, hawser_sim_answer(s, args->units, answer, sizeof answer));
     for (int k = 0; k < PARTS; k++) {
         const struct Part *const part = &parts[k];
         if (part->rod >= 0 && part->rod != !!r.sum.rod) continue;
@@ -321,22 +320,25 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir)
 
 /* hawser report: results as one page. The page's program is in the library; the frame is here. */
 
-static const char help[] =
-    "Usage: hawser report RESULTS [RESULTS2 ...] [options]\n"
-    "\n"
-    "Writes one HTML page about the results that hawser run has left in the folder RESULTS: verdict and remedies,\n"
-    "figures along the route and over time, loads, limits, inputs, and the pull in three dimensions. Two to six\n"
-    "folders are compared on one page. Of a folder of hawser study it is the study's page. The page needs no network "
-    "and no other file; any browser of today opens it.\n"
-    "\n"
-    "  -o, --output FILE       where the page goes (default: RESULTS/report.html; of several ./report.html)\n"
-    "      --pdf               also prints the page to FILE with .pdf in place of .html, by an installed Chromium;\n"
-    "                          implied where FILE ends in .pdf, the page is then FILE with .html\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 written; 2 a folder holds no results; 4 the page could not be written or printed; 5 no memory.\n";
+static const char help[] = "Usage: hawser report RESULTS [RESULTS2 ...] [options]\n"
+                           "\n"
+                           "Writes one HTML page about the results that hawser run has left in the folder\n"
+                           "RESULTS: verdict and remedies, figures along the route and over time, loads,\n"
+                           "limits, inputs, and the pull in three dimensions. Two to six folders are\n"
+                           "compared on one page. Of a folder of hawser study it is the study's page. The\n"
+                           "page needs no network and no other file; any browser of today opens it.\n"
+                           "\n"
+                           "  -o, --output FILE       where the page goes (default: RESULTS/report.html; of\n"
+                           "                          several ./report.html)\n"
+                           "      --pdf               also prints the page to FILE with .pdf in place of\n"
+                           "                          .html, by an installed Chromium; implied where FILE\n"
+                           "                          ends in .pdf, the page is then FILE with .html\n"
+                           "  -q, --quiet             prints nothing but errors\n"
+                           "  -h, --help              this text\n"
+                           "  -V, --version           the version\n"
+                           "\n"
+                           "Exit status: 0 written; 2 a folder holds no results; 4 the page could not be\n"
+                           "written or printed; 5 no memory.\n";
 
 static int ends_in(const char *name, const char *ending)
 {
@@ -370,13 +372,17 @@ static hawser_status folders_write(void *what, const char *path, hawser_error *e
 {
     const Folders *const f = what;
     const int study = f->n == 1 && study_is_in(f->folder[0]);
+    if (study && is_stdout(path)) {
+        *err = (hawser_error){HAWSER_ERR_INPUT, "the page of a study goes into a file: give its name with -o"};
+        return HAWSER_ERR_INPUT;
+    }
     return study ? hawser_study_report(f->folder[0], path, err) : hawser_report_write(f->folder, f->n, path, err);
 }
 
 static hawser_status page_write(PageWrite write, void *what, const char *path, int quiet, hawser_error *err)
 {
     const hawser_status status = write(what, path, err);
-    if (!status && !quiet) tell("Report: %s", path);
+    if (!status && !quiet && !is_stdout(path)) tell("Report: %s", path);
     return status;
 }
 
@@ -405,9 +411,9 @@ hawser_status page_make_of(PageWrite write, void *what, const char *path, int pd
 
 const char *page_path(const Arguments *args, const char *kind, char path[PAGE_PATH])
 {
-    const char *const slash = strrchr(args->case_path, '/'), *const name = slash ? slash + 1 : args->case_path,
-                      *const dot = strrchr(name, '.');
-    snprintf(path, PAGE_PATH, "%.*s-%s.html", dot ? (int)(dot - name) : (int)strlen(name), name, kind);
+    int length;
+    const char *const name = file_stem(args->case_path, &length);
+    snprintf(path, PAGE_PATH, "%.*s-%s.html", length, name, kind);
     return args->dir ? args->dir : path;
 }
 
@@ -448,20 +454,21 @@ const Command command_report = {"report", "one HTML page about results, or compa
 
 /* hawser plot: main figures of results as SVG, for documents. */
 
-static const char plot_help[] =
-    "Usage: hawser plot RESULTS [FIGURE ...] [options]\n"
-    "\n"
-    "Draws main figures of the results in the folder RESULTS as SVG files: tension (along the route, against theory),\n"
-    "series (forces and speed over time), rollers (their loads), plan (plan and profile of the route). Without names\n"
-    "all of them for which there is something to draw.\n"
-    "\n"
-    "  -o, --output DIR        where they go (default: RESULTS)\n"
-    "      --units UNITS       si (default: kN, m) or us (lbf, ft)\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 drawn; 2 no results, or nothing for a figure that was named; 4 a file could not be written.\n";
+static const char plot_help[] = "Usage: hawser plot RESULTS [FIGURE ...] [options]\n"
+                                "\n"
+                                "Draws main figures of the results in the folder RESULTS as SVG files: tension\n"
+                                "(along the route, against theory), series (forces and speed over time), rollers\n"
+                                "(their loads), plan (plan and profile of the route). Without names all of them\n"
+                                "for which there is something to draw.\n"
+                                "\n"
+                                "  -o, --output DIR        where they go (default: RESULTS)\n"
+                                "      --units UNITS       si (default: kN, m) or us (lbf, ft)\n"
+                                "  -q, --quiet             prints nothing but errors\n"
+                                "  -h, --help              this text\n"
+                                "  -V, --version           the version\n"
+                                "\n"
+                                "Exit status: 0 drawn; 2 no results, or nothing for a figure that was named; 4 a\n"
+                                "file could not be written.\n";
 
 static int plot(const Arguments *args)
 {
@@ -476,4 +483,4 @@ static int plot(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_plot = {"plot", "main figures of results as SVG", "oqu*", plot_help, plot};
+const Command command_plot = {"plot", "main figures of results as SVG", "oqu*#", plot_help, plot};

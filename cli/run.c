@@ -10,50 +10,64 @@
 #include "cli/commands.h"
 #include "hawser/hawser.h"
 
-static const char help[] =
-    "Usage: hawser run CASE [options]\n"
-    "       hawser run --resume DIR [options]\n"
-    "\n"
-    "Simulates the pull that the case file CASE describes, prints a report and writes the results. The report begins\n"
-    "with the answer: SAFE or NOT SAFE by the case's limits, NOT JUDGED without them, NOT TRUSTED with reasons where "
-    "the\n"
-    "figures are not worth judging; then the pull against what is allowed, the worst place, and what to do about it.\n"
-    "\n"
-    "  -o, --output DIR        where the results go (default: results/NAME, NAME from CASE)\n"
-    "      --set KEY=VALUE     changes a value of the case, as in --set drive.winch.speed='3 m/min';\n"
-    "                          may be given many times\n"
-    "      --threads N         1 or 2; results do not depend on it\n"
-    "      --linear-solver KIND  auto, block, bordered or klu\n"
-    "      --resume DIR        goes on with the run in DIR, whose program was killed or interrupted, from its last\n"
-    "                            checkpoint (run.checkpoint: every minute); results are those of a run that was not\n"
-    "      --certify           computes the case again with finer settings until its figures hold to the\n"
-    "                            tolerance, or says which do not; writes certificate.json\n"
-    "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
-    "      --effort N          what --certify may take, which it implies: N times the run (default: 6)\n"
-    "      --sensitivities KEYS  computes the run once more with what its pull, tensions at stations and roller loads\n"
-    "                            change by with each of these keys, as in friction.mu,drive.tail.tension; `all`:\n"
-    "                            the position at its end by every number of the case; also as sensitivities.json\n"
-    "      --report            writes DIR/report.html: the whole result as one page with figures and the pull in 3-D\n"
-    "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
-    "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
-    "                            figures that are not to be trusted: status 6; not certified: status 7\n"
-    "      --keep-going        goes on though the cable has left its rollers or its route, for those who want to "
-    "look;\n"
-    "                            without it such a run ends at once, with status 3\n"
-    "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
-    "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
-    "      --tables NAMES      prints tables too, by name with commas between: bundle, machines, limits, rest,\n"
-    "                            balances, work, times; all\n"
-    "  -v, --verbose           prints all of them, and the counts of the model\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 finished; 1 finished but not safe, 6 not to be trusted, 7 not certified (--strict alone); 2 the "
-    "case\n"
-    "or the command line is wrong; 3 the integration failed, or the cable came off what carries it; 4 results could "
-    "not be written; 5 no memory; 130\n"
-    "interrupted (SIGINT, SIGTERM, SIGHUP). With 3 and 130, what was computed until then is in DIR.\n";
+static const char help[] = "Usage: hawser run CASE [options]\n"
+                           "       hawser run --resume DIR [options]\n"
+                           "\n"
+                           "Simulates the pull that the case file CASE describes, prints a report and\n"
+                           "writes the results. The report begins with the answer: SAFE or NOT SAFE by the\n"
+                           "case's limits, NOT JUDGED without them, NOT TRUSTED with reasons where the\n"
+                           "figures are not worth judging; then the pull against what is allowed, the worst\n"
+                           "place, and what to do about it.\n"
+                           "\n"
+                           "  -o, --output DIR        where the results go (default: results/NAME, NAME\n"
+                           "                          from CASE)\n"
+                           "      --set KEY=VALUE     changes a value of the case, as in --set\n"
+                           "                          drive.winch.speed='3 m/min'; may be given many times\n"
+                           "      --threads N         1 or 2; results do not depend on it\n"
+                           "      --linear-solver KIND  auto, block, bordered or klu\n"
+                           "      --resume DIR        goes on with the run in DIR, whose program was killed\n"
+                           "                          or interrupted, from its last checkpoint\n"
+                           "                          (run.checkpoint: every minute); results are those of\n"
+                           "                          a run that was not\n"
+                           "      --certify           computes the case again with finer settings until its\n"
+                           "                          figures hold to the tolerance, or says which do not;\n"
+                           "                          writes certificate.json\n"
+                           "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
+                           "      --effort N          what --certify may take, which it implies: N times\n"
+                           "                          the run (default: 6)\n"
+                           "      --sensitivities KEYS  computes the run once more with what its pull,\n"
+                           "                          tensions at stations and roller loads change by with\n"
+                           "                          each of these keys, as in\n"
+                           "                          friction.mu,drive.tail.tension; `all`: the position\n"
+                           "                          at its end by every number of the case; also as\n"
+                           "                          sensitivities.json\n"
+                           "      --report            writes DIR/report.html: the whole result as one page\n"
+                           "                          with figures and the pull in 3-D\n"
+                           "      --pdf               prints that page to DIR/report.pdf, by an installed\n"
+                           "                          Chromium; implies --report\n"
+                           "      --strict            status 1 if the verdict is NOT SAFE, SAFE ONLY IF or\n"
+                           "                          NOT JUDGED, 6 if it is NOT TRUSTED, 7 if the run is\n"
+                           "                          not certified\n"
+                           "      --keep-going        goes on though the cable has left its rollers or its\n"
+                           "                          route, for those who want to look; without it such a\n"
+                           "                          run ends at once, with status 3\n"
+                           "      --format FORMAT     of what is printed: table (default), or json, which\n"
+                           "                          is what summary.json holds\n"
+                           "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us\n"
+                           "                          (lbf, ft, kcmil); files are in SI\n"
+                           "      --tables NAMES      prints tables too, by name with commas between:\n"
+                           "                          bundle, machines, limits, rest, balances, work,\n"
+                           "                          times; all\n"
+                           "  -v, --verbose           prints all of them, and the counts of the model\n"
+                           "  -q, --quiet             prints nothing but errors\n"
+                           "  -h, --help              this text\n"
+                           "  -V, --version           the version\n"
+                           "\n"
+                           "Exit status: 0 finished; with --strict 1 not SAFE, 6 NOT TRUSTED, 7 not\n"
+                           "certified; 2 the case or the command line is wrong; 3 the integration failed,\n"
+                           "or the cable came off what carries it; 4 results could not be written; 5 no\n"
+                           "memory; 130 interrupted (SIGINT, SIGTERM, SIGHUP). With 3 and 130, what was\n"
+                           "computed until then is in DIR.\n";
 
 /* Called by the library a few times a second; checks for signals. */
 static int show_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
@@ -64,12 +78,10 @@ static int show_progress(void *user, const hawser_sample *sample, double wall_s,
 
 char *default_dir(const char *case_path)
 {
-    const char *slash = strrchr(case_path, '/');
-    const char *name = slash ? slash + 1 : case_path;
-    const char *dot = strrchr(name, '.');
-    const size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
-    char *dir = malloc(length + sizeof "results/");
-    if (dir) sprintf(dir, "results/%.*s", (int)length, name);
+    int length;
+    const char *const name = file_stem(case_path, &length);
+    char *dir = malloc((size_t)length + sizeof "results/");
+    if (dir) sprintf(dir, "results/%.*s", length, name);
     return dir;
 }
 
@@ -242,7 +254,7 @@ static int run(const Arguments *args)
     return run_into(&own);
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSECTOePGIQ", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSECTOePGIQ#", help, run};
 
 /* Progress goes to standard error, the report to standard output: a user may keep one and drop the other. */
 
@@ -279,15 +291,31 @@ static void say_duration(char *text, size_t size, double s)
     }
 }
 
-/* Writes time, share, speed, step and remaining time; the last is only as good as the speed is even. */
+/* Returns the share of all passes so far that is done. Whether a finer pass follows is not known before the end of one;
+ * it takes about three times as long (GROWS in io/api/api_run.c), so that the second begins at 1/4 and the third at
+ * 4/13. */
+static double share_done(const Progress *p, double t, double end)
+{
+    const double now = end > 0 ? fmin(t / end, 1) : 1;
+    double before = 0, weight = 1;
+    for (int pass = 1; pass < p->pass; pass++) {
+        before += weight;
+        weight *= 3;
+    }
+    return (before + now * weight) / (before + weight);
+}
+
+/* Writes the pass, time, share, speed, step and remaining time; the last is only as good as the speed is even. */
 static void say_line(const Progress *p, const hawser_sample *sample, double end, char *line)
 {
-    static const char *const pass[] = {"", "second pass, finer: ", "third pass, finer: "};
+    static const char *const pass[] = {"", "second pass, finer: ", "third pass, finer: "}, *const of[] = {
+                                                                                               "", " of both passes",
+                                                                                               " of three passes"};
     char left[32] = "?";
+    const int k = p->pass > 2 ? 2 : p->pass > 1;
     if (p->speed > 0) say_duration(left, sizeof left, (end - sample->t) / p->speed);
-    const double share = end > 0 ? 100 * sample->t / end : 100;
-    snprintf(line, LINE_MAX, "%st = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left",
-             pass[p->pass > 2 ? 2 : p->pass > 1], sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
+    snprintf(line, LINE_MAX, "%st = %.2f s of %g s, %3.0f %%%s, %.3g x real time, step %.3g ms, %s left", pass[k],
+             sample->t, end, 100 * share_done(p, sample->t, end), of[k], p->speed, 1e3 * sample->step_size, left);
 }
 
 /* Cuts to the terminal's width, so that it stays one line. */

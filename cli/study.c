@@ -8,30 +8,37 @@
 #include "cli/commands.h"
 #include "hawser/hawser.h"
 
-static const char help[] =
-    "Usage: hawser study STUDY [options]\n"
-    "\n"
-    "Computes many variants of a case, as the file STUDY says (docs/guide/studies-and-measured-pulls.md): a grid,\n"
-    "a list, samples drawn from distributions, a sensitivity analysis, or a search for the best; by theory, by\n"
-    "runs, or by runs where theory is close to a limit. Prints how likely the pull is not safe and which limit it\n"
-    "is, or the best design, and writes all samples as a table. A study that was stopped or killed goes on where\n"
-    "it was.\n"
-    "\n"
-    "  -o, --output DIR        where the results go (default: results/NAME, NAME from STUDY)\n"
-    "      --jobs N            worker processes (default: one for each processor); results do not depend on it\n"
-    "      --slurm             computes on a cluster, as an array of Slurm; --jobs is of each task\n"
-    "      --tasks N           of the array (default: by the number of samples)\n"
-    "      --mpi               computes on all ranks that mpirun has started; --jobs is of each rank\n"
-    "      --fresh             begins anew where DIR has samples already\n"
-    "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
-    "      --units UNITS       of what is printed: si (default) or us; files are in SI\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "      --task N            what the array's tasks are started with\n"
-    "\n"
-    "Exit status: 0 done, whatever the samples say; 2 the study, its case or the command line is wrong; 4 results\n"
-    "could not be written; 5 no memory; 130 interrupted (the samples so far are in DIR).\n";
+static const char help[] = "Usage: hawser study STUDY [options]\n"
+                           "\n"
+                           "Computes many variants of a case, as the file STUDY says\n"
+                           "(docs/guide/studies-and-measured-pulls.md): a grid, a list, samples drawn from\n"
+                           "distributions, a sensitivity analysis, or a search for the best; by theory, by\n"
+                           "runs, or by runs where theory is close to a limit. Prints how likely the pull\n"
+                           "is not safe and which limit it is, or the best design, and writes all samples\n"
+                           "as a table. A study that was stopped or killed goes on where it was.\n"
+                           "\n"
+                           "  -o, --output DIR        where the results go (default: results/NAME, NAME\n"
+                           "                          from STUDY)\n"
+                           "      --jobs N            worker processes (default: one for each processor);\n"
+                           "                          results do not depend on it\n"
+                           "      --slurm             computes on a cluster, as an array of Slurm; --jobs\n"
+                           "                          is of each task\n"
+                           "      --tasks N           of the array (default: by the number of samples)\n"
+                           "      --mpi               computes on all ranks that mpirun has started; --jobs\n"
+                           "                          is of each rank\n"
+                           "      --fresh             begins anew where DIR has samples already\n"
+                           "      --format FORMAT     of what is printed: table (default), or json, which\n"
+                           "                          is what summary.json holds\n"
+                           "      --units UNITS       of what is printed: si (default) or us; files are in\n"
+                           "                          SI\n"
+                           "  -q, --quiet             prints nothing but errors\n"
+                           "  -h, --help              this text\n"
+                           "  -V, --version           the version\n"
+                           "      --task N            what the array's tasks are started with\n"
+                           "\n"
+                           "Exit status: 0 done, whatever the samples say; 2 the study, its case or the\n"
+                           "command line is wrong; 4 results could not be written; 5 no memory; 130\n"
+                           "interrupted (the samples so far are in DIR).\n";
 
 static int show_progress(void *user, const hawser_study_state *state)
 {
@@ -86,6 +93,10 @@ static int study(const Arguments *args)
         complain("--format csv: the table of a study is samples.csv in its folder; 'table' or 'json' can be used");
         return EXIT_USAGE;
     }
+    if (!strcmp(args->case_path, STDIN_PATH)) {
+        complain("study: its file is read again when it goes on and by its tasks: standard input cannot be used");
+        return EXIT_USAGE;
+    }
     hawser_status status = args->mpi ? hawser_ranks_open(&ranks, &err) : HAWSER_OK;
     if (!status) status = hawser_study_load(args->case_path, &s, &err);
     char *const made = args->dir || status ? NULL : default_dir(args->case_path);
@@ -99,34 +110,39 @@ static int study(const Arguments *args)
     return result;
 }
 
-const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
-                               "oufqKNmcky", help, study};
+const Command command_study = {"study", "many variants of a case: how likely a limit breaks, what matters",
+                               "oufqKNmcky#", help, study};
 
 /* hawser job: many pulls calculated by theory together. */
 
-static const char job_help[] =
-    "Usage: hawser job JOB [options]\n"
-    "\n"
-    "Calculates the pulls that the file JOB lists (docs/guide/jobs-and-sheets.md), each in both directions, by\n"
-    "theory. Prints a table with verdict, direction, forces, least margin, trip setting and reel of each pull,\n"
-    "the reels and the joint bays.\n"
-    "\n"
-    "      --report            writes the tables and the calculation of every pull as one page\n"
-    "      --pdf               prints that page too, by an installed Chromium; implies --report\n"
-    "  -o, --output FILE       where the page goes (default: JOB's name with -job.html)\n"
-    "      --crew FILE         writes the crew's sheets, one side of paper for each pull (HTML, and PDF where FILE "
-    "ends in\n"
-    "                          .pdf)\n"
-    "      --xlsx FILE         writes the tables as a workbook, in SI\n"
-    "      --format FORMAT     table (default), json, or csv, which is the table of pulls\n"
-    "      --units UNITS       of table and page: si (default) or us; json, csv and xlsx are in SI\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "      --strict            the exit status says whether all pulls are safe\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written; 5 no memory; with --strict\n"
-    "1 a pull is not SAFE, 6 one is NOT TRUSTED and none is worse.\n";
+static const char job_help[] = "Usage: hawser job JOB [options]\n"
+                               "\n"
+                               "Calculates the pulls that the file JOB lists (docs/guide/jobs-and-sheets.md),\n"
+                               "each in both directions, by theory. Prints a table with verdict, direction,\n"
+                               "forces, least margin, trip setting and reel of each pull, the reels and the\n"
+                               "joint bays.\n"
+                               "\n"
+                               "      --report            writes the tables and the calculation of every pull\n"
+                               "                          as one page\n"
+                               "      --pdf               prints that page too, by an installed Chromium;\n"
+                               "                          implies --report\n"
+                               "  -o, --output FILE       where the page goes (default: JOB's name with\n"
+                               "                          -job.html)\n"
+                               "      --crew FILE         writes the crew's sheets, one side of paper for each\n"
+                               "                          pull (HTML, and PDF where FILE ends in .pdf)\n"
+                               "      --xlsx FILE         writes the tables as a workbook, in SI\n"
+                               "      --format FORMAT     table (default), json, or csv, which is the table of\n"
+                               "                          pulls\n"
+                               "      --units UNITS       of table and page: si (default) or us; json, csv and\n"
+                               "                          xlsx are in SI\n"
+                               "  -q, --quiet             prints nothing but errors\n"
+                               "      --strict            the exit status says whether all pulls are safe\n"
+                               "  -h, --help              this text\n"
+                               "  -V, --version           the version\n"
+                               "\n"
+                               "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written;\n"
+                               "5 no memory; with --strict 1 a pull is not SAFE, 6 one is NOT TRUSTED and none\n"
+                               "is worse.\n";
 
 /* Writes a page of a job. */
 typedef struct Sheet {
@@ -155,9 +171,10 @@ static int job(const Arguments *args)
         complain("job: --xlsx and -o name the same file");
         return EXIT_USAGE;
     }
+    const int output = is_stdout(args->dir) || is_stdout(args->crew);
     hawser_status status = hawser_job_load(args->case_path, &made, &err);
     if (!status) status = hawser_job_answer(made, args->format, &text, &word, &err);
-    if (!status && !args->quiet) print_answer(text);
+    if (!status && !output) print_answer(args, text);
     const hawser_units units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI;
     Sheet page = {hawser_job_page, made, units}, crew = {hawser_job_crew_sheets, made, units};
     const int quiet = args->quiet || args->format == HAWSER_JSON || args->format == HAWSER_CSV;
@@ -176,28 +193,33 @@ const Command command_job = {"job", "many pulls in one table, page and workbook,
 
 /* hawser compare: a measured pull against results or a case. */
 
-static const char compare_help[] =
-    "Usage: hawser compare RESULTS|CASE LOG.csv [options]\n"
-    "\n"
-    "Lays the winch's force that a logger has written (over time or length, with units in its head) beside what was\n"
-    "planned: by the run in the folder RESULTS and theory, or by theory of the file CASE with the head's place as the\n"
-    "log's length. Planned against pulled by parts of the way, peaks, for a CASE the friction that would explain the\n"
-    "mean; bias, RMS, correlation, and how much agrees within a band.\n"
-    "Readings at rest, starts, drop-outs and spikes are told apart (docs/guide/studies-and-measured-pulls.md).\n"
-    "\n"
-    "      --align WAY         length: by the winch's travel (default); start: by the time since the pull began\n"
-    "      --shift X           added to where the log is: m, or s with --align start\n"
-    "      --band P            what counts as agreement (default: 10%)\n"
-    "      --raw               takes spikes and drop-outs as they are\n"
-    "      --page FILE         writes a page with figures (HTML)\n"
-    "      --report            the same, into LOG's name with -compare.html\n"
-    "      --json              prints the figures as JSON\n"
-    "      --units UNITS       of what is printed: si (default) or us\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 compared, whatever it says; 2 no results, no log, or nothing in common; 4 the page could not be\n"
-    "written; 5 no memory.\n";
+static const char compare_help[] = "Usage: hawser compare RESULTS|CASE LOG.csv [options]\n"
+                                   "\n"
+                                   "Lays the winch's force that a logger has written (over time or length, with\n"
+                                   "units in its head) beside what was planned: by the run in the folder RESULTS\n"
+                                   "and theory, or by theory of the file CASE with the head's place as the log's\n"
+                                   "length. Planned against pulled by parts of the way, peaks, for a CASE the\n"
+                                   "friction that would explain the mean; bias, RMS, correlation, and how much\n"
+                                   "agrees within a band. Readings at rest, starts, drop-outs and spikes are told\n"
+                                   "apart (docs/guide/studies-and-measured-pulls.md).\n"
+                                   "\n"
+                                   "      --align WAY         length: by the winch's travel (default); start: by\n"
+                                   "                          the time since the pull began\n"
+                                   "      --shift X           added to where the log is: m, or s with --align start\n"
+                                   "      --band P            what counts as agreement (default: 10%)\n"
+                                   "      --raw               takes spikes and drop-outs as they are\n"
+                                   "      --page FILE         writes a page with figures (HTML)\n"
+                                   "      --report            the same, into LOG's name with -compare.html\n"
+                                   "      --format FORMAT     table (default), json or csv\n"
+                                   "      --json              the same as --format json\n"
+                                   "      --units UNITS       of the table: si (default) or us; json and csv are in\n"
+                                   "                          SI\n"
+                                   "  -q, --quiet             prints nothing but errors, and requested json or csv\n"
+                                   "  -h, --help              this text\n"
+                                   "  -V, --version           the version\n"
+                                   "\n"
+                                   "Exit status: 0 compared, whatever it says; 2 no results, no log, or nothing in\n"
+                                   "common; 4 the page could not be written; 5 no memory.\n";
 
 static int compare(const Arguments *args)
 {
@@ -211,17 +233,18 @@ static int compare(const Arguments *args)
     char page[4096];
     options.format = args->format;
     if (args->report && !options.page) {
-        const char *const log = args->words[1], *const slash = strrchr(log, '/'), *const dot = strrchr(log, '.');
-        const size_t n = dot && dot > (slash ? slash + 1 : log) ? (size_t)(dot - log) : strlen(log);
-        snprintf(page, sizeof page, "%.*s-compare.html", (int)(n < 4000 ? n : 4000), log);
+        int n;
+        const char *const log = args->words[1], *const name = file_stem(log, &n);
+        n += (int)(name - log);
+        snprintf(page, sizeof page, "%.*s-compare.html", n < 4000 ? n : 4000, log);
         options.page = page;
     }
     const hawser_status status = hawser_compare(args->words[0], args->words[1], &options, &text, &err);
-    if (!status) fputs(text, stdout);
-    if (!status && args->report) tell("Report: %s", options.page);
+    if (!status && !is_stdout(options.page)) print_answer(args, text);
+    if (!status && args->report && !args->quiet) tell("Report: %s", options.page);
     hawser_text_free(text);
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_compare = {"compare", "a measured pull against what was planned", "jAHBwgeu*", compare_help,
+const Command command_compare = {"compare", "a measured pull against what was planned", "fjqAHBwgeu*", compare_help,
                                  compare};

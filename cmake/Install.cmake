@@ -11,7 +11,7 @@ endforeach()
 # a consumer of the static library from nothing but this list.
 set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson zlib nlopt libzip) # known to pkg-config
 if(HAWSER_HDF5)
-    list(APPEND HAWSER_PRIVATE_PACKAGES hdf5-serial)
+    list(APPEND HAWSER_PRIVATE_PACKAGES ${HDF5_MODULE_NAME})
 endif()
 if(HAWSER_SHAPELIB)
     list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)

@@ -2,6 +2,7 @@
 #define _DEFAULT_SOURCE /* madvise */
 #include "core/checkpoint.h"
 
+#include <endian.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -208,7 +209,8 @@ static uint64_t word_in(uint64_t sum, uint64_t word)
     return mixed ^ mixed >> 32;
 }
 
-/* Four independent sums, so that none waits for another. */
+/* Four independent sums, so that none waits for another. Words have their lowest byte first on every machine, so that
+ * a file of results is known on another one. */
 uint64_t checkpoint_hash(const void *bytes, size_t size)
 {
     enum { SUMS = 4 };
@@ -217,10 +219,10 @@ uint64_t checkpoint_hash(const void *bytes, size_t size)
     size_t left = size;
     for (; left >= sizeof word; left -= sizeof word, at += sizeof word) {
         memcpy(word, at, sizeof word);
-        for (int k = 0; k < SUMS; ++k) sum[k] = word_in(sum[k], word[k]);
+        for (int k = 0; k < SUMS; ++k) sum[k] = word_in(sum[k], le64toh(word[k]));
     }
     memset(word, 0, sizeof word);
     if (left) memcpy(word, at, left);
-    for (int k = 0; k < SUMS; ++k) all = word_in(word_in(all, sum[k]), word[k]);
+    for (int k = 0; k < SUMS; ++k) all = word_in(word_in(all, sum[k]), le64toh(word[k]));
     return all;
 }

@@ -45,7 +45,7 @@ _hawser() {
         --set) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--set --format --units --help --version' '*.yaml' ;;
+        *) _hawser_word '--set --format --units --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     theory)
@@ -55,7 +55,7 @@ _hawser() {
         --set) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--tables --report --pdf --output --quiet --strict --sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
+        *) _hawser_word '--tables --report --pdf --output --strict --sensitivities --crew --set --format --units --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     validate)
@@ -63,14 +63,14 @@ _hawser() {
         --filter) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--filter --fast --format --units --help --version' '' ;;
+        *) _hawser_word '--filter --fast --format --units --quiet --help --version' '' ;;
         esac
         ;;
     library)
         case $previous in
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--format --units --help --version' 'cables ropes rollers ducts friction reels' ;;
+        *) _hawser_word '--format --units --quiet --help --version' 'cables ropes rollers ducts friction reels' ;;
         esac
         ;;
     route)
@@ -80,7 +80,7 @@ _hawser() {
         --profile|-o|--output|--picture) _hawser_offer 'files' ;;
         --ignore) _hawser_offer 'all facts pieces limits heads sections' ;;
         --format) _hawser_offer 'table json csv' ;;
-        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --sheet --ignore --radius --output --picture --json --format --help --version' '*' ;;
+        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --sheet --ignore --radius --output --picture --json --format --quiet --help --version' '*' ;;
         esac
         ;;
     report)
@@ -111,8 +111,9 @@ _hawser() {
         --shift) _hawser_offer '' ;;
         --band) _hawser_offer '5% 10% 20%' ;;
         --page) _hawser_offer 'files' ;;
+        --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--align --shift --band --raw --page --report --json --units --help --version' '*' ;;
+        *) _hawser_word '--align --shift --band --raw --page --report --format --json --units --quiet --help --version' '*' ;;
         esac
         ;;
     fmu)
@@ -131,7 +132,7 @@ _hawser() {
         ;;
     schema)
         case $previous in
-        *) _hawser_word '--help --version' '' ;;
+        *) _hawser_word '--json --quiet --help --version' 'case study job summary' ;;
         esac
         ;;
     job)
@@ -149,7 +150,7 @@ _hawser() {
         -o|--output) _hawser_offer 'files' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--push --with --lubricant --output --set --format --units --strict --help --version' '*.yaml' ;;
+        *) _hawser_word '--push --with --lubricant --output --strict --set --format --units --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     desk)

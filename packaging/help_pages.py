@@ -17,7 +17,7 @@ VALUES = {"FILE": "files", "DIR": "folders", "FORMAT": "table json csv", "UNITS"
           "KIND": "auto block bordered klu", "UNIT": "mm m ft", "LENGTH": "", "STATION": "",
           "SHARE": "1% 0.5% 2%", "P": "5% 10% 20%", "WAY": "length start", "X": "", "VERSION": "2 3", "KEY": "", "KEYS": "", "NAME": "", "NAMES": "all facts pieces limits heads sections", "LAYER": "", "TEXT": ""}
 # What a command is about, by the first word of its usage.
-SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "RESULTS|CASE": "*", "[KIND": "cables ropes rollers ducts friction reels",
+SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "RESULTS|CASE": "*", "[KIND": "cables ropes rollers ducts friction reels", "[WHAT]": "case study job summary",
             "[options]": ""}
 
 
@@ -65,7 +65,7 @@ def ask(program, *words):
 def read_program(program):
     """(what it says of itself, version, {command: summary}, [Help])"""
     top = ask(program, "--help")
-    about = top.split("\n\n")[1].split("\n")[0].replace(" Commands:", "")
+    about = top.split("\n\n")[1].removesuffix("\nCommands:")
     commands = dict(m.groups() for m in map(COMMAND.match, top.split("\n")) if m)
     return about, ask(program, "--version").split()[1], commands, [Help(c, ask(program, c, "--help")) for c in commands]
 

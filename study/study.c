@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/machine.h"
+#include "io/case/case_parts.h"
 #include "io/results/results_file.h"
 #include "study/evaluate.h"
 #include "study/findings.h"
@@ -21,6 +22,11 @@ struct hawser_study {
     Findings findings;
     double efficiency;
 };
+
+hawser_status hawser_study_schema(char **text, hawser_error *err)
+{
+    return text ? case_schema(&study_top, "study", NULL, text, err) : error_argument(err, "text");
+}
 
 /* Loads a study; checks here, before any computation, that the base case gives all quantities. */
 hawser_status hawser_study_load(const char *path, hawser_study **out, hawser_error *err)

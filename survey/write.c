@@ -452,6 +452,7 @@ int write_format(const char *path)
     } endings[] = {{".csv", WRITE_ELEMENTS}, {".dxf", WRITE_DXF},   {".geojson", WRITE_GEOJSON},
                    {".json", WRITE_GEOJSON}, {".yaml", WRITE_CASE}, {".yml", WRITE_CASE}};
     const size_t n = strlen(path);
+    if (!strcmp(path, "-")) return (int)WRITE_CASE;
     for (size_t i = 0; i < sizeof endings / sizeof *endings; ++i) {
         const size_t size = strlen(endings[i].ending);
         if (n > size && !strcasecmp(path + n - size, endings[i].ending)) return (int)endings[i].format;
@@ -493,15 +494,16 @@ hawser_status alignment_print(const Alignment *a, const char *system, WriteForma
 hawser_status alignment_write(const Alignment *a, const char *system, WriteFormat format, const char *path,
                               hawser_error *err)
 {
-    FILE *const to = fopen(path, "wbe");
+    const int own = strcmp(path, "-") != 0;
+    FILE *const to = own ? fopen(path, "wbe") : stdout;
     if (!to && errno == ENOMEM) return error_memory(err);
     if (!to) return error_set(err, HAWSER_ERR_OUTPUT, "%.200s: cannot be written: %s", path, strerror(errno));
     hawser_status status = alignment_print(a, system, format, to, err);
     errno = 0;
-    const int failed = ferror(to) | fclose(to);
+    const int failed = ferror(to) | (own ? fclose(to) : fflush(to));
     if (failed && !status)
         status = error_set(err, HAWSER_ERR_OUTPUT, "%.200s: cannot be written: %s", path,
                            errno ? strerror(errno) : "the write failed");
-    if (status) remove(path);
+    if (status && own) remove(path);
     return status;
 }

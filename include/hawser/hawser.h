@@ -43,7 +43,8 @@ hawser_status hawser_case_copy(const hawser_case *c, hawser_case **out, hawser_e
  * unpacked case name the key, but no line. *text as above. Errors: MEMORY; of unpack INPUT, too. */
 hawser_status hawser_case_pack(const hawser_case *c, char **text, hawser_error *err);
 hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_error *err);
-/* Rewrites a case file in the present format, into the file `to` (NULL: in its place, if anything changes): keys with
+/* Rewrites a case file in the present format, into the file `to` (NULL: in its place, if anything changes; "-":
+ * standard output): keys with
  * old names and the number of the format; all else, comments too, stays as it is. *changes: number of places changed.
  * Errors: INPUT (the file cannot be read, is no case, a value cannot be rewritten), OUTPUT, MEMORY. */
 hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes, hawser_error *err);
@@ -249,6 +250,8 @@ void hawser_sim_summary_sized(const hawser_sim *s, hawser_summary *out, size_t s
 #define hawser_sim_summary(s, out) hawser_sim_summary_sized(s, out, sizeof(hawser_summary))
 /* Returns the summary as the text of summary.json; free it with hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
+/* Returns what the summary of a run holds as a JSON Schema; free it with hawser_text_free. Errors: MEMORY. */
+hawser_status hawser_summary_schema(char **text, hawser_error *err);
 
 /* Returns how many stations there are; *out lists them from the route's start and stays the simulation's. */
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);

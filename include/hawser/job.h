@@ -13,6 +13,9 @@ extern "C" {
 
 typedef struct hawser_job hawser_job;
 
+/* Returns what a job may hold as a JSON Schema, as hawser_case_schema does for a case. Errors: MEMORY. */
+hawser_status hawser_job_schema(char **text, hawser_error *err);
+
 /* Reads a job's file and all cases that it names, and calculates each pull in both directions. Errors: INPUT with file,
  * line and key, and the name of the pull; MEMORY. *out is NULL then. */
 hawser_status hawser_job_load(const char *path, hawser_job **out, hawser_error *err);

@@ -81,7 +81,8 @@ hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, ha
 hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route_place *out, hawser_error *err);
 /* Writes the line as it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or the section `route` of a
  * case (.yaml). i < 0: the line that a case would use. A page (.html) shows it in plan and profile, omitted parts in
- * grey; i < 0: every line. Errors: INPUT (several lines are possible, an ending that is none of these), OUTPUT, MEMORY.
+ * grey; i < 0: every line. "-" writes the section to standard output. Errors: INPUT (several lines are possible, an
+ * ending that is none of these), OUTPUT, MEMORY.
  */
 hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err);
 

@@ -26,6 +26,10 @@ const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, 
  * digits as it has and at least three; for SI the sentence itself. At most `size` bytes. Returns `text`. */
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size);
 
+/* Returns which of the n known words was probably meant: up to two letters, and a third of the word's, may be wrong;
+ * one that differs in capitals alone is always near. NULL if none is near, or if there is no word. */
+const char *hawser_nearest(const char *word, const char *const *known, int n);
+
 struct hawser_sim;
 
 /* Writes the beginning of a report: a line with the verdict, then its reasons, each line " word sentence": the pull

@@ -30,6 +30,8 @@ typedef struct hawser_study_options {
     void *user;
 } hawser_study_options;
 
+/* Returns what a study may hold as a JSON Schema, as hawser_case_schema does for a case. Errors: MEMORY. */
+hawser_status hawser_study_schema(char **text, hawser_error *err);
 /* Reads a study file and its base case. Errors: INPUT with file, line and key; MEMORY. *out is NULL then. */
 hawser_status hawser_study_load(const char *path, hawser_study **out, hawser_error *err);
 void hawser_study_free(hawser_study *s);

@@ -127,11 +127,7 @@ hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes
 
 hawser_status hawser_case_schema(char **text, hawser_error *err)
 {
-    if (!text) return error_argument(err, "text");
-    Units *const units = units_new();
-    *text = units ? case_schema_json(units, &case_top) : NULL;
-    units_free(units);
-    return *text ? HAWSER_OK : error_memory(err);
+    return text ? case_schema(&case_top, "case", NULL, text, err) : error_argument(err, "text");
 }
 
 static SceneDef *def_free(SceneDef *def)

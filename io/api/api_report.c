@@ -173,9 +173,11 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
     if (!folder || !dir) return error_argument(err, folder ? "dir" : "folder");
     for (size_t i = 0; i < n; i++) {
         if (!names || !names[i]) return error_argument(err, "names");
+        char hint[HINT_MAX];
         if (figure_named(names[i]) == FIGURES)
             return error_set(err, HAWSER_ERR_INPUT,
-                             "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);
+                             "'%.100s' is no figure: there are tension, series, rollers and plan%s", names[i],
+                             case_hint(names[i], "tension, series, rollers, plan", hint));
     }
     const locale_t plain = locale_plain(&before);
     if (!plain) return error_memory(err);

@@ -334,10 +334,11 @@ static const char table_names[] =
 static hawser_status names_check(const char *list, hawser_error *err)
 {
     for (const char *at = list; at; at = name_next(at)) {
-        char name[64];
+        char name[64], hint[HINT_MAX];
         snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
         if (!is_named(table_names, name))
-            return error_set(err, HAWSER_ERR_INPUT, "no table '%s': there are %s", name, table_names);
+            return error_set(err, HAWSER_ERR_INPUT, "no table '%s': there are %s%s", name, table_names,
+                             case_hint(name, table_names, hint));
     }
     return HAWSER_OK;
 }

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "hawser/job.h"
 #include "io/api/api_handles.h"
+#include "io/case/case_parts.h"
 #include "io/case/schema.h"
 #include "io/report/calculation.h"
 #include "io/results/column.h"
@@ -755,6 +756,11 @@ static hawser_status job_fill(const CaseReader *r, hawser_job *job)
                                           ": another reel has this name");
     if (!status) status = reels_fill(r, job);
     return status ? status : bays_fill(job, r->err);
+}
+
+hawser_status hawser_job_schema(char **text, hawser_error *err)
+{
+    return text ? case_schema(&job_top, "job", &job_pull, text, err) : error_argument(err, "text");
 }
 
 hawser_status hawser_job_load(const char *path, hawser_job **out, hawser_error *err)

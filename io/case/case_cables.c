@@ -320,7 +320,7 @@ static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int 
     const char *known = cables[0].name;
     for (int c = 0; c < r->def->n_cables; c++) {
         const char *const one = cables[c].name;
-        if (case_nearest(name->text, &one, 1)) known = one;
+        if (hawser_nearest(name->text, &one, 1)) known = one;
     }
     return case_value_error(r->err, name, " is not one of the %d in 'cables', such as '%s'", r->def->n_cables, known);
 }

@@ -32,8 +32,10 @@ typedef struct Synonym {
     int half; /* the value is twice that of the key */
 } Synonym;
 const Synonym *case_synonym(int i);
-/* Returns the tables below `top` as a JSON Schema, malloc'ed; NULL: there is no memory. */
-char *case_schema_json(const Units *units, const CaseSection *top);
+/* Returns the tables below `top` as a JSON Schema of a case, study or job (`of`), malloc'ed. `open` (may be NULL) is a
+ * section that takes the keys of a case beside its own. Errors: MEMORY. */
+hawser_status case_schema(const CaseSection *top, const char *of, const CaseSection *open, char **text,
+                          hawser_error *err);
 enum { CASE_FORMAT = 1 }; /* format of cases that is read and written */
 /* Rewrites the text of a case with the keys' own names and its format; the rest, comments too, stays as it is. *out:
  * malloc'ed. *changes: number of places. Errors: INPUT (as case_tree_parse; a value that cannot be rewritten), MEMORY.

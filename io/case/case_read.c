@@ -1279,6 +1279,7 @@ hawser_status case_theory_insert(const char *text, const char *name, const char 
 /* The document being made; failed: there was no memory for a part. */
 typedef struct Writer {
     const Units *units;
+    const CaseSection *open; /* takes further keys */
     int failed;
 } Writer;
 
@@ -1458,25 +1459,31 @@ static json_t *section_json(Writer *w, const CaseSection *section, int alone)
         synonyms_add(w, section, keys, key, &needed);
         if (needed) w->failed |= json_array_append_new(required, json_string(key->name)) < 0;
     }
-    json_t *const o = json_pack("{s:s,s:o,s:b}", "type", "object", "properties", keys, "additionalProperties", 0);
+    json_t *const o =
+        json_pack("{s:s,s:o,s:b}", "type", "object", "properties", keys, "additionalProperties", section == w->open);
     put_text(w, o, "description", case_section_note(section));
     if (json_array_size(required) > 0) put(w, o, "required", json_incref(required));
     json_decref(required);
     return o;
 }
 
-char *case_schema_json(const Units *units, const CaseSection *top)
+hawser_status case_schema(const CaseSection *top, const char *of, const CaseSection *open, char **text,
+                          hawser_error *err)
 {
     const CaseSection *all[CASE_SECTIONS_MAX];
-    Writer w = {units, 0};
+    Units *const units = units_new();
+    *text = NULL;
+    if (!units) return error_memory(err);
+    Writer w = {units, open, 0};
     const int n = case_sections(top, all, 0);
-    json_t *const o = json_pack("{s:s,s:s,s:s}", "$schema", "https://json-schema.org/draft/2020-12/schema", "$id",
-                                "urn:hawser:case:1", "title", "A case of hawser");
+    json_t *const o = json_pack("{s:s,s:o,s:o}", "$schema", "https://json-schema.org/draft/2020-12/schema", "$id",
+                                json_sprintf("urn:hawser:%s:1", of), "title", json_sprintf("A %s of hawser", of));
     json_t *const defs = json_object();
     for (int i = 1; i < n; ++i) put(&w, defs, all[i]->path, section_json(&w, all[i], places_of(all, n, all[i]) == 1));
     put_all(&w, o, section_json(&w, top, 1));
     put(&w, o, "$defs", defs);
-    char *const text = w.failed ? NULL : json_dumps(o, JSON_INDENT(2));
+    *text = w.failed ? NULL : json_dumps(o, JSON_INDENT(2));
     json_decref(o);
-    return text;
+    units_free(units);
+    return *text ? HAWSER_OK : error_memory(err);
 }

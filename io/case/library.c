@@ -180,7 +180,7 @@ static hawser_status section_read(Library *library, const CaseTree *file, const 
     if (strcmp(node->key, "sources") == 0) {
         return node->kind == NODE_MAP ? HAWSER_OK : case_value_error(err, node, ": expected a map of names and texts");
     }
-    const char *const nearest = case_nearest(node->key, top_keys, n);
+    const char *const nearest = hawser_nearest(node->key, top_keys, n);
     if (nearest) return case_key_error(err, node, NULL, "unknown key: did you mean '%s'?", nearest);
     return case_key_error(
         err, node, NULL,
@@ -189,9 +189,10 @@ static hawser_status section_read(Library *library, const CaseTree *file, const 
 
 hawser_status library_kind_error(const char *kind, hawser_error *err)
 {
+    char hint[HINT_MAX];
     return error_set(err, HAWSER_ERR_INPUT,
-                     "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts, friction or reels",
-                     kind);
+                     "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts, friction or reels%s",
+                     kind, case_hint(kind, "cables, ropes, rollers, ducts, friction, reels", hint));
 }
 
 hawser_status library_take(Library *library, CaseTree *file, int shipped, hawser_error *err)

@@ -220,7 +220,8 @@ static hawser_status choice_field(const CaseReader *r, const CaseNode *node, con
         const size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", k ? ", " : "", key->choices[k]);
     }
-    return case_value_error(r->err, node, ": expected one of %s", all);
+    char hint[HINT_MAX];
+    return case_value_error(r->err, node, ": expected one of %s%s", all, case_hint(plain, all, hint));
 }
 
 /* Rejects a text that is too long; it is never cut. */
@@ -323,7 +324,7 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const 
                                   "value '%.20s,%.20s' has a comma: decimals follow a point, '%.20s.%.20s'",
                                   before->text, child->key, before->text, child->key);
         }
-        const char *nearest = case_nearest(child->key, name, section->n);
+        const char *nearest = hawser_nearest(child->key, name, section->n);
         if (nearest) return case_key_error(r->err, child, NULL, "unknown key: did you mean '%s'?", nearest);
         return case_key_error(r->err, child, NULL, "unknown key: allowed are %s", all);
     }

@@ -137,12 +137,11 @@ int case_distance(const char *a, const char *b)
     return d[n][m];
 }
 
-/* Accepts up to a third of wrong letters; a word that differs in capitals alone is always near. */
-const char *case_nearest(const char *word, const char *const *name, int n)
+const char *hawser_nearest(const char *word, const char *const *name, int n)
 {
     const char *best = NULL;
-    int best_distance = least(3, 1 + (int)strlen(word) / 3);
-    for (int k = 0; k < n; k++) {
+    int best_distance = word ? least(3, 1 + (int)strlen(word) / 3) : 0;
+    for (int k = 0; word && name && k < n; k++) {
         if (strcasecmp(word, name[k]) == 0) return name[k];
         const int distance = case_distance(word, name[k]);
         if (distance >= best_distance) continue;
@@ -150,6 +149,20 @@ const char *case_nearest(const char *word, const char *const *name, int n)
         best_distance = distance;
     }
     return best;
+}
+
+const char *case_hint(const char *word, const char *list, char hint[HINT_MAX])
+{
+    enum { LISTED = 48, LIST_MAX = 1024 };
+    char all[LIST_MAX];
+    const char *name[LISTED];
+    int n = 0;
+    snprintf(all, sizeof all, "%s", list);
+    for (char *rest = all, *at; n < LISTED && (at = strtok_r(rest, ", ", &rest));) name[n++] = at;
+    const char *const near = hawser_nearest(word, name, n);
+    snprintf(hint, HINT_MAX, "; did you mean '%.64s'?", near ? near : "");
+    if (!near) *hint = 0;
+    return hint;
 }
 
 enum { KEY_MAX = 200, STEPS_MAX = 16 };
@@ -201,7 +214,7 @@ CaseTree *case_tree_free(CaseTree *tree)
 static char *folder_of(const char *path)
 {
     const char *const slash = strrchr(path, '/');
-    if (!slash) return strdup(".");
+    if (!slash || !strcmp(path, "/dev/stdin")) return strdup("."); /* a text from a pipe is about files that are here */
     return strndup(path, slash == path ? 1 : (size_t)(slash - path));
 }
 

@@ -107,7 +107,9 @@ hawser_status case_key_cause(hawser_error *err, const CaseNode *node, const char
                              const hawser_error *why);
 /* Returns how many letters must be changed, added, dropped or swapped with their neighbour to make b of a. */
 int case_distance(const char *a, const char *b);
-/* Returns the name of names[n] that `word` was probably meant to be; NULL if none is near. */
-const char *case_nearest(const char *word, const char *const *name, int n);
+/* Writes "; did you mean 'NAME'?" with the name of a list ("a, b, c") that is nearest to the word; "" if none is near.
+ * Returns `hint`. */
+enum { HINT_MAX = 96 };
+const char *case_hint(const char *word, const char *list, char hint[HINT_MAX]);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <assert.h>
 #include <dirent.h>
+#include <endian.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -429,6 +430,11 @@ hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_
 {
     OutDir folder;
     char dir[OUT_PATH_MAX];
+    if (!strcmp(path, "-")) {
+        const int written = fwrite(bytes, 1, size, stdout) == size && !fflush(stdout);
+        return written ? HAWSER_OK
+                       : error_set(err, HAWSER_ERR_OUTPUT, "cannot write to standard output: %s", strerror(errno));
+    }
     const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
     const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
     if (!*name) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': it names no file", path);
@@ -463,7 +469,7 @@ static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum
         n = whole_read(fd, block, BLOCK);
         if (most >= 0 && n > most - sum->bytes) n = (ssize_t)(most - sum->bytes);
         if (n <= 0) break;
-        const uint64_t both[2] = {all, checkpoint_hash(block, (size_t)n)};
+        const uint64_t both[2] = {htole64(all), htole64(checkpoint_hash(block, (size_t)n))};
         all = checkpoint_hash(both, sizeof both);
         sum->bytes += (long)n;
     }

@@ -99,7 +99,7 @@ hawser_status out_name_in(const OutDir *dir, const char *part, const char *name,
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
-/* Does the same under a path. */
+/* Does the same under a path; "-" is standard output. */
 hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_error *err);
 /* ------------------------------------------------------------------------------------------ files that belong together
  */

@@ -830,6 +830,96 @@ static int machines_put(json_t *o, const hawser_summary *s)
     return bad;
 }
 
+/* The tables above as a JSON Schema. Numbers and words that are not known are null. */
+
+static json_t *schema_of(const Columns *columns);
+
+/* NULL without memory. */
+static json_t *column_schema(const Column *c)
+{
+    switch (c->kind) {
+    case COLUMN_NUMBER:
+        return json_pack("{s:[ss]}", "type", "number", "null");
+    case COLUMN_COUNT:
+    case COLUMN_LONG:
+        return json_pack("{s:s}", "type", "integer");
+    case COLUMN_FLAG:
+        return json_pack("{s:[ss]}", "type", "boolean", "null");
+    case COLUMN_VECTOR:
+        return json_pack("{s:s,s:i,s:i,s:{s:[ss]}}", "type", "array", "minItems", 3, "maxItems", 3, "items", "type",
+                         "number", "null");
+    case COLUMN_LIST:
+        return json_pack("{s:s,s:o}", "type", "array", "items", schema_of(c->of));
+    case COLUMN_MAP:
+        return json_pack("{s:s,s:o}", "type", "object", "additionalProperties", column_schema(&c->of->column[1]));
+    case COLUMN_OBJECT:
+    case COLUMN_ROW:
+        return schema_of(c->of);
+    case COLUMN_TEXT:
+    case COLUMN_CHARS:
+        break;
+    }
+    return json_pack("{s:[ss]}", "type", "string", "null");
+}
+
+static json_t *object_new(void)
+{
+    return json_pack("{s:s,s:{},s:[],s:b}", "type", "object", "properties", "required", "additionalProperties", 0);
+}
+
+/* Puts a column into an object's properties, "a.b" into those of its a. */
+static int schema_put(json_t *o, const char *key, const Column *c, json_t *value)
+{
+    char outer[32];
+    const char *const dot = strchr(key, '.');
+    const int absent = c->kind == COLUMN_OBJECT || (c->kind == COLUMN_LIST && c->keep);
+    snprintf(outer, sizeof outer, "%.*s", (int)(dot ? dot - key : 0), key);
+    json_t *const in = json_object_get(o, "properties"), *const needed = json_object_get(o, "required");
+    if (!dot) {
+        int bad = json_object_set_new(in, key, value);
+        if (!absent) bad |= json_array_append_new(needed, json_string(key));
+        return bad;
+    }
+    int bad = 0;
+    if (!json_object_get(in, outer)) {
+        bad |= json_object_set_new(in, outer, object_new());
+        bad |= json_array_append_new(needed, json_string(outer));
+    }
+    return schema_put(json_object_get(in, outer), dot + 1, c, value) | bad;
+}
+
+/* NULL without memory. */
+static json_t *schema_of(const Columns *columns)
+{
+    json_t *const o = object_new();
+    int bad = !o;
+    for (int k = 0; k < columns->n && !bad; k++) {
+        const Column *const c = &columns->column[k];
+        bad = schema_put(o, c->key, c, column_schema(c));
+    }
+    if (!bad) return o;
+    json_decref(o);
+    return NULL;
+}
+
+hawser_status hawser_summary_schema(char **text, hawser_error *err)
+{
+    if (!text) return error_argument(err, "text");
+    json_t *const o = schema_of(&summary_columns);
+    int bad = !o;
+    if (!bad) bad |= json_object_set_new(o, "$schema", json_string("https://json-schema.org/draft/2020-12/schema"));
+    if (!bad) bad |= json_object_set_new(o, "$id", json_sprintf("urn:hawser:summary:%d", RESULTS_FORMAT));
+    if (!bad) bad |= json_object_set_new(o, "title", json_string("The summary of a run of hawser"));
+    /* machines of each kind under the kind's name */
+    if (!bad)
+        bad |= json_object_set_new(
+            o, "additionalProperties",
+            json_pack("{s:s,s:{s:s,s:[s]}}", "type", "array", "items", "type", "object", "required", "name"));
+    *text = bad ? NULL : json_text(o);
+    json_decref(o);
+    return *text ? HAWSER_OK : error_memory(err);
+}
+
 /* Writes ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {

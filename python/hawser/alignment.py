@@ -76,7 +76,7 @@ class Route:
 
     def at(self, s: float | Array) -> dict[str, Array]:
         """The place s (m, one or many) along the route: "position" (m), "tangent" (unit) and "curvature" (1/m, toward the
-        centre), each x y z in the last axis. Beyond its ends it goes on straight."""
+        centre), each [..., 3] with x y z in the last axis. Beyond its ends it goes on straight."""
         return places(lambda one, place: self._call(lib.hawser_routes_at, one, place), s)
 
     @property
@@ -114,6 +114,8 @@ def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str 
     join_m:       within which ends of a drawing's pieces meet (default 0.01)
     sheet:        of a spreadsheet, by its name or its number from 1 (default: the first)
     ignore:       names of a table's columns that are not used
+
+    CaseError: it cannot be read, holds no line, or an option fits none; MissingError: there is no such file.
     """
     error, made = ffi.new("hawser_error *"), ffi.new("hawser_routes **")
     options = ffi.new("hawser_route_options *", lib.hawser_route_defaults())

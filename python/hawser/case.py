@@ -237,7 +237,8 @@ class Case:
 
     def place(self, only: str = "any", lubricant: str | None = None, to: str | os.PathLike[str] | None = None) -> pd.DataFrame:
         """Where machines (of the push `theory.machine_push`, N) and pits go, the fewest that keep all limits: a row a proposal. only:
-        "any", "machines" or "pits"; lubricant: jacket and duct of the catalogue's friction; to: file for the case with the best one."""
+        "any", "machines" or "pits"; lubricant: jacket and duct of the catalogue's friction; to: file for the case with the best one.
+        ValueError: another `only`; CaseError: the case has no limits, or is wrong; OutputError: `to` cannot be written."""
         kinds = {"any": lib.HAWSER_PLACE_ANY, "machines": lib.HAWSER_PLACE_MACHINES, "pits": lib.HAWSER_PLACE_PITS}
         if only not in kinds:
             raise ValueError(f"only={only!r}: allowed are {', '.join(kinds)}")

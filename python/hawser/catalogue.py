@@ -16,6 +16,8 @@ def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame
 
     kind:    "cables", "ropes", "rollers", "ducts", "friction" or "reels"; None: all
     pattern: of it those whose names hold this text; None: all
+
+    CaseError: there is no such kind, or no catalogue.
     """
     error, text = ffi.new("hawser_error *"), ffi.new("char **")
     wanted = [ffi.NULL if word is None else c_text(word, "the catalogue") for word in (kind, pattern)]
@@ -23,9 +25,14 @@ def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame
     return frame_of(json.loads(taken(text))["entries"])
 
 
-def schema() -> dict[str, Any]:
-    """What a case may hold, as a JSON Schema (draft 2020-12): keys, kinds, choices, ranges in SI, defaults."""
+def schema(of: str = "case") -> dict[str, Any]:
+    """What a case, study, job or summary may hold, as a JSON Schema (draft 2020-12): keys, kinds, choices, ranges in SI,
+    defaults. Another word for `of` is a ValueError."""
+    calls = {"case": lib.hawser_case_schema, "study": lib.hawser_study_schema, "job": lib.hawser_job_schema,
+             "summary": lib.hawser_summary_schema}
+    if of not in calls:
+        raise ValueError(f"schema: {of!r}: allowed are {', '.join(calls)}")
     error, text = ffi.new("hawser_error *"), ffi.new("char **")
-    check(lib.hawser_case_schema(text, error), error)
+    check(calls[of](text, error), error)
     read: dict[str, Any] = json.loads(taken(text))
     return read

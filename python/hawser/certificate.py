@@ -74,6 +74,8 @@ def certify(case: Source | Case, *, set: Settings | None = None, tolerance: floa
     effort:    work of the finer runs, in runs of the case, which they do not exceed; 0: 6
     threads:   runs side by side, 1 or 2; 0: 2 where there are two processors
     progress:  is called with a Certified a few times a second, and stops it (hawser.Stopped) by returning True
+
+    CaseError: the case or an option is wrong; RunError: the integration failed.
     """
     case, error = case_of(case, set), ffi.new("hawser_error *")
     simulation = Simulation(case)

@@ -43,17 +43,17 @@ class Job:
         return frame_of(self.data["bays"])
 
     def page(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Writes tables and calculations as one page (HTML)."""
+        """Writes tables and calculations as one page (HTML). OutputError: it cannot be written."""
         check(lib.hawser_job_page(self._job, lib.HAWSER_SI, c_path(path), self._error), self._error)
         return pathlib.Path(path)
 
     def crew_sheets(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Write the crew's sheets of all pulls, one printed side each, as one page (HTML)."""
+        """Write the crew's sheets of all pulls, one printed side each, as one page (HTML). OutputError: it cannot be written."""
         check(lib.hawser_job_crew_sheets(self._job, lib.HAWSER_SI, c_path(path), self._error), self._error)
         return pathlib.Path(path)
 
     def workbook(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Writes the tables as a workbook (.xlsx)."""
+        """Writes the tables as a workbook (.xlsx). OutputError: it cannot be written."""
         check(lib.hawser_job_workbook(self._job, c_path(path), self._error), self._error)
         return pathlib.Path(path)
 

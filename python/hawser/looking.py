@@ -273,7 +273,7 @@ class Looking:
 
     def route_at(self, s: float | Array) -> dict[str, Array]:
         """The place s (m, one or many) along the route: "position" (m), "tangent" (unit), "curvature" (1/m, toward the centre),
-        x y z in the last axis. Beyond its ends it goes on straight."""
+        each [..., 3] with x y z in the last axis. Beyond its ends it goes on straight."""
         handle = self._open
         with handle as c:
             return places(lambda one, place: handle.check(lib.hawser_sim_route_at(c, one, place, handle.error)), s)

@@ -265,7 +265,8 @@ class Result:
     @functools.cached_property
     def states(self) -> Any:
         """The sampled states: time (s), position (m), velocity (m/s), tension (N) and more, as docs/reference/columns.md lists the sets
-        of results.h5. An xarray.Dataset; without xarray a dict of numpy arrays. Needs h5py."""
+        of results.h5. An xarray.Dataset; without xarray a dict of numpy arrays. ImportError: there is no h5py; OSError: the file
+        cannot be read."""
         try:
             import h5py
         except ImportError as missing:
@@ -301,7 +302,8 @@ class Result:
         return page
 
     def plot(self, name: str = "tension") -> Figure:
-        """A figure as SVG: "tension" along the route, "series" over time, "rollers" or "plan"."""
+        """A figure as SVG: "tension" along the route, "series" over time, "rollers" or "plan". ValueError: another name; CaseError: the results
+        have nothing to draw for it."""
         if name not in PLOTS:
             raise ValueError(f"no figure {name!r}: there are {', '.join(PLOTS)}")
         error, wanted = ffi.new("hawser_error *"), ffi.new("char[]", name.encode())
@@ -324,6 +326,8 @@ class Result:
         band:  share of the log's force that counts as agreement
         raw:   spikes and drop-outs of the log are taken as they are
         page:  an HTML file with figures, which is written
+
+        ValueError: another `align`; CaseError: the log cannot be read, or has nothing in common with the run.
         """
         if align not in ("length", "start"):
             raise ValueError(f"align={align!r}: 'length' or 'start' is expected")

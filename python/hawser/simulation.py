@@ -98,7 +98,7 @@ class Simulation(Looking):
 
     def every(self, interval: float, *, until: float | None = None) -> Iterator[Sample]:
         """Samples, `interval` seconds of simulated time apart, from now to `until` (default: the case's end, s):
-        for look in simulation.every(0.1): ..."""
+        for look in simulation.every(0.1): ... ValueError: the interval is not above 0; RunError: the integration failed."""
         if not interval > 0:
             raise ValueError(f"an interval of {interval} s: it must be above 0")
         start, k = self.time, 0
@@ -208,6 +208,8 @@ class Simulation(Looking):
         value: in the command's unit
         on:    name of the thing that is meant; of friction None means everything
         ramp:  s over which it comes in; 0: 0.2 s
+
+        ValueError: another command; CaseError: there is no such thing, or a value that it does not take.
         """
         if command not in COMMANDS:
             raise ValueError(f"no command {command!r}: there are {', '.join(COMMANDS)}")
@@ -271,7 +273,7 @@ class Simulation(Looking):
         self._call_back("on_event", lib.hawser_sim_on_event, self._told(function))
 
     def on_log(self, function: Callable[[str, str], Any] | None, level: str = "info") -> None:
-        """function(level, text) is called with each line that is worth a word: "error", "warning" or "info", up to `level`."""
+        """function(level, text) is called with each line that is worth a word: "error", "warning" or "info", up to `level`. ValueError: another level."""
         if level not in LEVELS.values():
             raise ValueError(f"no level {level!r}: there are {', '.join(LEVELS.values())}")
         number = next(number for number, name in LEVELS.items() if name == level)

@@ -54,7 +54,8 @@ class Study:
         return found
 
     def report(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Makes the page with its figures anew, as far as samples have come; also while others compute. Returns the path."""
+        """Makes the page with its figures anew, as far as samples have come; also while others compute. Returns the path. CaseError: the
+        folder holds no study; OutputError: the page cannot be written."""
         error = ffi.new("hawser_error *")
         check(lib.hawser_study_report(c_path(self.folder), c_path(path), error), error)
         return pathlib.Path(path)
@@ -82,6 +83,8 @@ def study(plan: Plan, out: str | os.PathLike[str], *, folder: str | os.PathLike[
     fresh:    what an earlier start has left in the folder is dropped
     progress: is called a few times a second with samples, done, failed, not_safe, jobs, wall_s, left_s, and stops the study
               (hawser.Stopped) by returning True
+
+    CaseError: the study or its case is wrong; MissingError: a file of it is not there; OutputError: `out` cannot be written.
     """
     path = study_file(plan, pathlib.Path(out), os.path.abspath(folder or os.curdir)) if isinstance(plan, Mapping) else plan
     command = [sys.executable, "-c", START, os.fspath(path), os.fspath(out), str(jobs), str(int(fresh))]

@@ -43,7 +43,7 @@ class Thing:
 
     @property
     def force(self) -> float:
-        """Now, N."""
+        """Now, N. NotImplementedError: the kind has none."""
         raise NotImplementedError
 
     def _table(self) -> pd.DataFrame:

@@ -541,11 +541,12 @@ static hawser_status step_watch(Sim *s, hawser_error *err)
     return status ? status : script_due(s, err);
 }
 
-/* Peaks of the loads of rollers by all chains. */
+/* Peaks of the loads of rollers by all chains. The chains' own are raised at the same moments: what all bear at a peak
+ * is otherwise more than the sum of the recorded peaks, by as much as each may grow before another look is made. */
 static void chains_watch(struct Together *all)
 {
     if (!together_stepped(all)) return;
-    for (int k = all->n - 1; k >= 0; --k) sim_look(all->sim[k], SAMPLE_ROW);
+    for (int k = all->n - 1; k >= 0; --k) stats_hold(&all->sim[k]->stats, sim_look(all->sim[k], SAMPLE_ROW));
     together_peak(all);
 }
 

@@ -585,6 +585,18 @@ double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const
     return fmin(now[0], stats->before[0]);
 }
 
+void stats_hold(Stats *stats, const hawser_sample *sample)
+{
+    const int first = watched_count(stats) - stats->n_rollers;
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        double *const now = &stats->now[first + r];
+        if (isnan(*now) || isnan(stats->before[first + r])) continue; /* the chain's steps are not watched */
+        *now = sample->roller_load[r];
+        mean_held(&stats->roller[r].load, stats->before[first + r], *now);
+        stats->roller_out[r].peak_N = stats->roller[r].load.peak;
+    }
+}
+
 void stats_raise(Stats *stats, const hawser_sample *sample)
 {
     for (int r = 0; r < stats->n_rollers; ++r) {

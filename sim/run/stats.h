@@ -101,6 +101,8 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
  * both steps, N. */
 int stats_step(Stats *stats, const Scene *scene, double t, double pull, const double *tension, const Vec3 *on_roller);
 double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Raises the peaks of the rollers' loads alone, as stats_peak does: at a moment that counts for all chains together. */
+void stats_hold(Stats *stats, const hawser_sample *sample);
 /* Adds loads of rollers between two samples, which count for their peaks alone. */
 void stats_raise(Stats *stats, const hawser_sample *sample);
 /* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */

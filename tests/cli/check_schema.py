@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `hawser schema` prints: all cases are allowed by it, and what the program refuses by its tables is not.
+"""What `hawser schema` prints: all cases, studies, jobs and summaries are allowed by it, and mistakes are not.
 
 Usage: check_schema.py HAWSER FOLDER...  (all cases below the folders)
 """
@@ -59,11 +59,125 @@ def refused(hawser, text):
         return subprocess.run([hawser, "check", file.name], capture_output=True, text=True, check=False).returncode == 2
 
 
-def main(hawser, *folders):
-    schema = json.loads(subprocess.run([hawser, "schema"], capture_output=True, text=True, check=True).stdout)
+# Of a study and a job: what is wrong, and the place of the error.
+STUDY = """
+case: tunnel.yaml
+parameters: {friction.mu: {uniform: {from: 0.1, to: 0.2}}, step: {key: surfaces.ducts.0.radius, steps: {from: 80 mm, to: 90 mm, count: 3}}}
+monte-carlo: {samples: 100}
+"""
+STUDY_WRONG = (
+    ("case:", "base:", ""),
+    ("samples: 100", "samples: many", "monte-carlo/samples"),
+    ("uniform:", "unifrom:", "parameters/friction.mu"),
+    ("count: 3", "count: 1", "parameters/step/steps/count"),
+)
+JOB = "pulls: [{name: a, case: a.yaml, direction: forward}]\nreels: [{name: r, length: 500 m}]\n"
+JOB_WRONG = (
+    ("pulls:", "pull:", ""),
+    ("forward", "foreward", "pulls/0/direction"),
+    ("length: 500 m", "tare: 1 t", "reels/0"),
+    ("500 m", "-5", "reels/0/length"),
+)
+# Runs whose summaries hold most of the tables: a pull with machines, a rod, ducts, passes, a bundle.
+RUNS = ("cases/capstan.yaml", "cases/rod-cantilever.yaml", "cases/reel.yaml", "tests/data/passing-guides.yaml", "tests/data/trust-slack.yaml")
+
+
+def validator_of(hawser, of):
+    schema = json.loads(subprocess.run([hawser, "schema", of, "--json"], capture_output=True, text=True, check=True).stdout)
     jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
-    failed = cases = 0
+    return jsonschema.Draft202012Validator(schema)
+
+
+def check_mistakes(validator, text, wrongs):
+    """How many of the mistakes the schema does not find at their places."""
+    failed = 0
+    assert validator.is_valid(yaml.load(text, Loader)), list(validator.iter_errors(yaml.load(text, Loader)))
+    for right, wrong, place in wrongs:
+        other = text.replace(right, wrong)
+        assert other != text, wrong
+        places = ["/".join(map(str, e.absolute_path)) for e in validator.iter_errors(yaml.load(other, Loader))]
+        if place not in places:
+            failed += 1
+            print(f"{wrong}: expected an error at '{place}', found {places}")
+    return failed
+
+
+def check_others(hawser, folders):
+    """Studies, jobs and summaries: all of the project's are allowed, mistakes are not."""
+    failed = check_mistakes(validator_of(hawser, "study"), STUDY, STUDY_WRONG)
+    failed += check_mistakes(validator_of(hawser, "job"), JOB, JOB_WRONG)
+    found = {"study": 0, "job": 0, "summary": 0}
+
+    def check(of, path, value):
+        errors = list(validator_of(hawser, of).iter_errors(value))
+        found[of] += 1
+        for error in errors[:5]:
+            print(f"{path}: {'/'.join(map(str, error.absolute_path))}: {error.message[:200]}")
+        return len(errors)
+
+    for path in sorted(p for folder in folders for p in pathlib.Path(folder).rglob("*.yaml")):
+        value = yaml.load(path.read_text("utf-8-sig"), Loader)
+        if isinstance(value, dict) and "pulls" in value:
+            failed += check("job", path, value)
+        elif isinstance(value, dict) and "case" in value:
+            failed += check("study", path, value)
+    source = pathlib.Path(folders[0]).parent
+    with tempfile.TemporaryDirectory() as folder:
+        for case in RUNS:
+            text = subprocess.run([hawser, "run", source / case, "-o", folder, "--format", "json"], capture_output=True, text=True, check=True).stdout
+            failed += check("summary", case, json.loads(text))
+    wrong = json.loads(text)
+    wrong["segments"] = "many"
+    del wrong["verdict"]
+    assert len(list(validator_of(hawser, "summary").iter_errors(wrong))) == 2
+    assert found["study"] >= 5 and found["job"] >= 1, found
+    print(f"{found}, {failed} errors")
+    return failed
+
+
+def below(schema, node, part):
+    """The schemas of a key or item below one; {}: anything may be there."""
+    if "$ref" in node:
+        yield from below(schema, schema["$defs"][node["$ref"].split("/")[-1]], part)
+    for other in node.get("anyOf", ()):
+        yield from below(schema, other, part)
+    of = node.get("properties", {})
+    if part in of:
+        yield of[part]
+    elif isinstance(node.get("additionalProperties"), dict):
+        yield node["additionalProperties"]
+    elif node.get("type") == "object" and not of and "$ref" not in node:
+        yield {}
+    if "items" in node:
+        yield node["items"]  # by number or name
+    elif "list" in of:
+        yield from below(schema, of["list"], part)
+
+
+def check_documents(schema, docs):
+    """Dotted keys in the documents exist; `output.loads_of` was named, and refused."""
+    failed = 0
+    assert not list(below(schema, schema["properties"]["output"], "loads_of"))
+    for path in sorted(docs.rglob("*.md")):
+        for word in sorted(set(re.findall(r"`([a-z_]+(?:\.[A-Za-z_0-9-]+)+)`", path.read_text("utf-8")))):
+            parts = word.split(".")
+            other = path.name in ("fmi.md", "results.md", "columns.md") or parts[-1] in ("yaml", "h5", "csv", "json", "h", "margin")
+            if other or parts[0] not in schema["properties"]:
+                continue  # a variable of a unit, a path into an answer, a file
+            nodes = [schema]
+            for part in parts:
+                nodes = [found for node in nodes for found in below(schema, node, part)]
+            if not nodes:
+                failed += 1
+                print(f"{path}: no key {word}")
+    return failed
+
+
+def main(hawser, *folders):
+    validator = validator_of(hawser, "case")
+    schema = validator.schema
+    failed = check_others(hawser, folders) + check_documents(schema, pathlib.Path(folders[0]).parent / "docs")
+    cases = 0
     for path in sorted(p for folder in folders for p in pathlib.Path(folder).rglob("*.yaml")):
         case = yaml.load(path.read_text("utf-8-sig"), Loader)
         if not isinstance(case, dict) or "study" in case or not {"cables", "include"} & set(case):

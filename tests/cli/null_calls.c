@@ -64,6 +64,10 @@ static void cases(void)
     assert_int_equal(hawser_case_check(NULL, &error), HAWSER_ERR_INPUT);
     int changes;
     REFUSED("text", hawser_case_schema, NULL);
+    REFUSED("text", hawser_study_schema, NULL);
+    REFUSED("text", hawser_job_schema, NULL);
+    REFUSED("text", hawser_summary_schema, NULL);
+    assert_null(hawser_nearest(NULL, NULL, 1));
     REFUSED("path", hawser_case_upgrade, NULL, "to.yaml", &changes);
     REFUSED("changes", hawser_case_upgrade, "case.yaml", "to.yaml", NULL);
     REFUSED("c", hawser_case_describe, NULL, HAWSER_JSON, &text);

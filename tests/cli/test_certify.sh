@@ -43,7 +43,7 @@ run_hawser 0 run certify.yaml -o more --effort 30 --tolerance 0.2% --quiet
 run_hawser 2 theory certify.yaml --certify
 missing wrong
 run_hawser 0 run --help
-says out "--certify" "--tolerance SHARE" "--effort N" "7 not certified"
+says out "--certify" "--tolerance SHARE" "--effort N" "7 if the run is not certified"
 
 # Ctrl-C while the case is computed again: the results of the run are there, a certificate is not
 (cd "$work" && exec "$hawser" run certify.yaml -o cut --tolerance 0.0001% >cut.out 2>cut.err) &

@@ -17,7 +17,7 @@ says out "Limits" "eq. 11, K = 1, S = 800 mm2; paper, table 4: copper 70 N/mm2" 
 run_hawser 0 run pull.yaml -o out3 --set limits.pull=100N --tables limits
 says out "NOT SAFE: 1 of" "pull by 3" "BROKEN"
 run_hawser 2 run pull.yaml -o out3 --tables limits,mass
-says err "no table 'mass': there are all, bundle, machines, limits"
+says err "--tables mass: 'all', 'bundle', 'machines', 'limits'"
 run_hawser 1 run pull.yaml -o out4 --set limits.pull=100N --strict
 says out "NOT SAFE"
 says err "NOT SAFE: 1 of"

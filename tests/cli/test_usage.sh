@@ -50,9 +50,9 @@ says err "unknown option '-x'"
 run_hawser 2 check pull.yaml --threads 2
 says err "unknown option '--threads'"
 run_hawser 2 theory pull.yaml -o somewhere
-says err "theory: -o and -q are of --report"
+says err "theory: -o is of --report"
 run_hawser 2 place pull.yaml --with ropes
-says err "--with: 'ropes': allowed are machines and pits"
+says err "--with ropes: 'machines' or 'pits' can be used"
 run_hawser 2 place pull.yaml --push '5 m'
 says err "theory.machine_push" "expected a force"
 for option in -o --output --set --threads --linear-solver; do

@@ -1,5 +1,6 @@
-"""The comments of the public headers say what a caller must know: what can go wrong, the unit of each number
-with one, the shape of each array. Usage: check_reference.py TREE"""
+"""The comments of the public headers and the docstrings of the Python package say what a caller must know: what can
+go wrong, the unit of each number with one, the shape of each array. Usage: check_reference.py TREE"""
+import ast
 import pathlib
 import re
 import sys
@@ -52,8 +53,64 @@ def of_members(path, text):
             last = told or last
 
 
+def said_by_python(name, node, owner):
+    """What is missing in the docstring of a public function or property; an owner's docstring may name its errors."""
+    told = ast.get_docstring(node) or ""
+    if not told:
+        yield f"{name}: no docstring"
+        return
+    given = {a.arg: ast.unparse(a.annotation) for a in node.args.args + node.args.kwonlyargs if a.annotation}
+    kind = ast.unparse(node.returns) if node.returns else ""
+    if re.search(r"\bfloat\b", kind) and not UNIT.search(told):
+        yield f"{name}: no unit of what it returns"
+    for what, of in given.items():
+        if re.search(r"\bfloat\b", of) and not (UNIT.search(told) or NAMED.search(what)):
+            yield f"{name}: no unit of {what}"
+    if re.search(r"\bArray\b", kind) and not re.search(r"\[[^\]]+\]", told):
+        yield f"{name}: no shape"
+    raised = {ast.unparse(r.exc.func) for r in ast.walk(node) if isinstance(r, ast.Raise) and isinstance(r.exc, ast.Call)}
+    for error in sorted(r for r in raised if re.fullmatch(r"\w+Error", r)):
+        if error not in told:
+            yield f"{name}: {error} is not named"
+    calls = {ast.unparse(c.func) for c in ast.walk(node) if isinstance(c, ast.Call)}
+    if "check" in calls and not re.search(r"\b\w+Error\b", f"{told} {owner}"):
+        yield f"{name}: no error is named"
+
+
+def of_python(path, public):
+    """The public classes with their public methods and properties, and the public functions of a module."""
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if getattr(node, "name", None) not in public:
+            continue
+        if isinstance(node, ast.FunctionDef):
+            yield from said_by_python(f"{path.name}: {node.name}", node, "")
+        if not isinstance(node, ast.ClassDef):
+            continue
+        told = ast.get_docstring(node) or ""
+        if not told:
+            yield f"{path.name}: {node.name}: no docstring"
+        for method in node.body:
+            hidden = not isinstance(method, ast.FunctionDef) or method.name.startswith("_")
+            if not hidden and not any(re.search(r"overload|setter", ast.unparse(d)) for d in method.decorator_list):
+                yield from said_by_python(f"{path.name}: {node.name}.{method.name}", method, told)
+
+
+def python_public(package):
+    """The names that the package exports."""
+    if not package.exists():
+        return set()
+    for node in ast.parse((package / "__init__.py").read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
+            return set(ast.literal_eval(node.value))
+    return set()
+
+
 def check(tree):
     found = []
+    package = pathlib.Path(tree) / "python" / "hawser"
+    public = python_public(package)
+    for path in sorted(package.glob("*.py")):
+        found += of_python(path, public)
     for path in sorted((pathlib.Path(tree) / "include" / "hawser").glob("*.h")):
         text = path.read_text(encoding="utf-8")
         found += [*of_functions(path, text), *of_members(path, text)]

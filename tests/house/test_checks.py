@@ -56,6 +56,25 @@ class Reference(unittest.TestCase):
             self.assertIn(what, " ".join(self.check(text)), text)
 
 
+class PythonReference(unittest.TestCase):
+    def check(self, text):
+        return Tree({"python/hawser/__init__.py": '__all__ = ["at"]\n', "python/hawser/a.py": text}).complaints(check_reference.check)
+
+    def test_what_says_all_is_fine(self):
+        self.assertEqual([], self.check('def at(s: float) -> dict[str, Array]:\n    """The place s (m): [..., 3]. ValueError: off."""\n    raise ValueError("off")\n'))
+        self.assertEqual([], self.check("def _own(s: float) -> float:\n    return s\n"))
+
+    def test_what_is_missing_is_caught(self):
+        for text, what in (("def at():\n    pass\n", "no docstring"),
+                           ('def at() -> float:\n    """How long it is."""\n', "no unit of what it returns"),
+                           ('def at(far: float):\n    """Goes there."""\n', "no unit of far"),
+                           ('def at() -> Array:\n    """All places, m."""\n', "no shape"),
+                           ('def at():\n    """Goes on."""\n    raise ValueError("no")\n', "ValueError is not named"),
+                           ('def at():\n    """Goes on."""\n    check(lib.x(), error)\n', "no error is named"),
+                           ("class at:\n    def size(self):\n        pass\n", "at.size: no docstring")):
+            self.assertIn(what, " ".join(self.check(text)), text)
+
+
 class Includes(unittest.TestCase):
     def check(self, files):
         return Tree(files).complaints(check_includes.check)

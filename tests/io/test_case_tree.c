@@ -300,13 +300,13 @@ TEST(shown_texts)
 TEST(near_words)
 {
     static const char *const names[] = {"length", "segment", "swivel", "E", "EI"};
-    assert_string_equal(case_nearest("lenght", names, 5), "length");
-    assert_string_equal(case_nearest("Length", names, 5), "length");
-    assert_string_equal(case_nearest("segmnt", names, 5), "segment");
-    assert_string_equal(case_nearest("segments", names, 5), "segment");
-    assert_string_equal(case_nearest("ei", names, 5), "EI");
-    assert_null(case_nearest("zebra", names, 5));
-    assert_null(case_nearest("averyveryveryveryverylongwordindeed", names, 5));
+    assert_string_equal(hawser_nearest("lenght", names, 5), "length");
+    assert_string_equal(hawser_nearest("Length", names, 5), "length");
+    assert_string_equal(hawser_nearest("segmnt", names, 5), "segment");
+    assert_string_equal(hawser_nearest("segments", names, 5), "segment");
+    assert_string_equal(hawser_nearest("ei", names, 5), "EI");
+    assert_null(hawser_nearest("zebra", names, 5));
+    assert_null(hawser_nearest("averyveryveryveryverylongwordindeed", names, 5));
 }
 
 /* A number that is another item's name is refused; as the name of the item that has it, or beyond the list, it is

@@ -51,7 +51,11 @@ def test_the_catalogue(program):
     assert len(whole) == len(json.loads(said)["entries"]) > 100
     cables = hawser.library("cables", "630")
     assert set(cables["kind"]) == {"cables"} and cables["name"].str.contains("630").all()
-    assert hawser.schema() == json.loads(subprocess.run([program, "schema"], capture_output=True, check=True).stdout)
+    for of in ("case", "study", "job", "summary"):
+        assert hawser.schema(of) == json.loads(subprocess.run([program, "schema", of], capture_output=True, check=True).stdout)
+    assert hawser.schema() == hawser.schema("case")
+    with pytest.raises(ValueError, match="allowed are case, study, job, summary"):
+        hawser.schema("pull")
     with pytest.raises(hawser.CaseError, match="no such kind|cables"):
         hawser.library("no such kind")
 

@@ -7,9 +7,11 @@ import os
 import signal
 import subprocess
 import sys
+import tarfile
 import threading
 
 import hawser
+import numpy as np
 import pytest
 from conftest import DATA, ROOT
 
@@ -192,3 +194,18 @@ def test_a_failed_integration_keeps_what_it_had(pull):
     with pytest.raises(hawser.RunError):
         simulation.run_quietly()
     assert simulation.summary["outcome"] == "failed"
+
+
+def test_states_of_format_1(tmp_path):
+    """Names as texts of one length and `unit` in place of `units`, in a folder of before format 2."""
+    h5py = pytest.importorskip("h5py")
+    with tarfile.open(DATA / "format-1.tar.gz") as archive:
+        archive.extractall(tmp_path)
+    with h5py.File(tmp_path / "format-1" / "results.h5") as file:
+        assert "format" not in file.attrs and file["roller_name"].dtype == "S64" and "unit" in file["tension"].attrs
+    result = hawser.Result(tmp_path / "format-1")
+    assert "format" not in result.summary and result.outcome == "finished"
+    states = result.states
+    assert np.shape(states["position"]) == (3, 22, 3) and float(np.max(states["tension"])) == pytest.approx(1864.317, abs=1e-3)
+    if hasattr(states, "coords"):
+        assert list(states["roller"].values) == ["drum"] and states["tension"].attrs["units"] == "N"

@@ -1,6 +1,8 @@
 /* DXF: entities in level and tilted systems, text and binary, marks, units; the real drawing; what is wrong. */
 #include "tests/survey/survey_fixture.h"
 
+#include <endian.h>
+
 #define HEADER(unit)    "  0\nSECTION\n  2\nHEADER\n  9\n$INSUNITS\n 70\n" unit "\n  0\nENDSEC\n"
 #define ENTITIES(text)  "  0\nSECTION\n  2\nENTITIES\n" text "  0\nENDSEC\n  0\nEOF\n"
 #define DXF(unit, text) HEADER(unit) ENTITIES(text)
@@ -321,15 +323,18 @@ static void put_text(Bytes *b, int code, const char *text)
 
 static void put_number(Bytes *b, int code, double value)
 {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    bits = htole64(bits);
     put_code(b, code);
-    put(b, &value, sizeof value);
+    put(b, &bits, sizeof bits);
 }
 
 TEST(binary)
 {
     for (int short_codes = 0; short_codes < 2; ++short_codes) {
         Bytes b = {.short_codes = short_codes};
-        const short unit = 4;
+        const uint16_t unit = htole16(4);
         put(&b, "AutoCAD Binary DXF\r\n\x1a", 22);
         put_text(&b, 0, "SECTION");
         put_text(&b, 2, "HEADER");
