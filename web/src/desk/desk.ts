@@ -68,7 +68,7 @@ export function quantity(value: number | null | undefined, unit: Unit, us: boole
 /** What the text says at a path, as it is written. */
 export function writtenAt(text: string, path: Path): string | undefined {
   const node = nodeAt(parsed(text), path);
-  return node && isScalar(node) ? String(node.source ?? node.value ?? '') : undefined;
+  return node && isScalar(node) ? (node.source ?? '') : undefined;
 }
 
 const UNITS: Record<string, number> = {

@@ -16,6 +16,9 @@ export class EngineError extends Error {
   }
 }
 
+/** What went wrong, in words. */
+export const messageOf = (why: unknown): string => (why instanceof Error ? why.message : String(why));
+
 export interface Remedy {
   direction: string;
   remedy: string;

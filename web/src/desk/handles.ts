@@ -150,7 +150,7 @@ function pieces(text: string, along: Along): Found {
     const name = piece.name || `${t('piece')} ${piece.listed}`;
     if (item.has('straight')) found.push(...straight(text, along, piece, path, name));
     else if (item.has('bend') && item.has('radius')) {
-      const plane = String(item.get('plane') ?? '');
+      const plane = writtenAt(text, [...path, 'plane']);
       if (plane === 'left' || plane === 'right') found.push(...level(text, along, p, path, name, plane));
       else if (plane === 'up' || plane === 'down') found.push(...upright(text, along, p, path, name, plane));
     }

@@ -17,7 +17,17 @@ import limitsText from '../../../cases/limits.yaml';
 import { Catalogue } from './catalogue';
 import { completions, type Schema } from './complete';
 import { newest, Place, quantity, writtenAt, type Desk } from './desk';
-import { Engine, EngineError, inflated, workerOf, type Along, type Fault, type Remedy, type Theory } from './engine';
+import {
+  Engine,
+  EngineError,
+  inflated,
+  messageOf,
+  workerOf,
+  type Along,
+  type Fault,
+  type Remedy,
+  type Theory,
+} from './engine';
 import { Equipment } from './equipment';
 import { Help } from './help';
 import { markedLine, showLine } from './marked_line';
@@ -48,8 +58,15 @@ interface Draft {
 const DRAFT = 'hawser-desk-draft';
 const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|shp)$/i;
 
-const part = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
-const text = (id: string): string => part(id).textContent ?? '';
+/** An element of the page, which is of this class. */
+function part<T extends HTMLElement>(id: string, of: new () => T): T;
+function part(id: string): HTMLElement;
+function part(id: string, of: new () => HTMLElement = HTMLElement): HTMLElement {
+  const found = document.getElementById(id);
+  if (!(found instanceof of)) throw new Error(`the page has no ${of.name} "${id}"`);
+  return found;
+}
+const text = (id: string): string => part(id).textContent;
 
 const SETTINGS = 'hawser-desk-settings';
 let us = false;
@@ -213,7 +230,7 @@ const catalogue = new Catalogue(theDesk, () => page);
 const equipment = new Equipment(theDesk);
 const help = new Help(() => schema);
 const begin = new Start({
-  engine: theDesk.engine,
+  engine: () => theDesk.engine(),
   examples: EXAMPLES,
   drafts,
   open,
@@ -289,7 +306,7 @@ function ask(): void {
 
 /** Whether the calculation is that of the text as it stands, and may be handed on. */
 function settle(good: boolean): void {
-  for (const id of ['save-page', 'print']) part<HTMLButtonElement>(id).disabled = !good;
+  for (const id of ['save-page', 'print']) part(id, HTMLButtonElement).disabled = !good;
 }
 
 async function calculate(): Promise<void> {
@@ -313,7 +330,7 @@ async function calculate(): Promise<void> {
       : await engine.page(doc, us, writtenAt(doc, ['job', 'language']) === undefined ? languageNow() : '');
     if (mine === wanted) {
       page = sheet;
-      part<HTMLIFrameElement>('page').srcdoc = sheet;
+      part('page', HTMLIFrameElement).srcdoc = sheet;
       mark();
       settle(true);
       answered();
@@ -405,7 +422,7 @@ function showFault(why: unknown): void {
   part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, t('line {1}', '$1')) ?? String(why);
   part('remedies').replaceChildren();
   page = '';
-  part<HTMLIFrameElement>('page').srcdoc = '';
+  part('page', HTMLIFrameElement).srcdoc = '';
   document.title = 'hawser desk';
   mark(fault);
   part('plan').classList.add('stale'); // it is that of the last text that was a case, with the values of this one
@@ -462,7 +479,7 @@ async function openFile(file: File): Promise<void> {
     const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
     say(`${file.name}: ${kinds}. ${t('Keep the file beside the case: the case refers to it.')}`);
   } catch (why) {
-    say(why instanceof EngineError ? why.fault.message : String(why));
+    say(messageOf(why));
   }
 }
 
@@ -478,7 +495,7 @@ function wire(): void {
     download,
   });
   part('new').addEventListener('click', () => begin.show());
-  const input = part<HTMLInputElement>('file');
+  const input = part('file', HTMLInputElement);
   part('open').addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
     for (const file of input.files ?? []) void openFile(file);
@@ -490,18 +507,18 @@ function wire(): void {
     title();
   });
   part('save-page').addEventListener('click', () =>
-    download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part<HTMLIFrameElement>('page').srcdoc, 'text/html'),
+    download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part('page', HTMLIFrameElement).srcdoc, 'text/html'),
   );
-  part('print').addEventListener('click', () => part<HTMLIFrameElement>('page').contentWindow?.print());
+  part('print').addEventListener('click', () => part('page', HTMLIFrameElement).contentWindow?.print());
   part('units').addEventListener('change', () => {
-    us = part<HTMLSelectElement>('units').value === 'us';
+    us = part('units', HTMLSelectElement).value === 'us';
     remember();
     views();
     draw(along, true);
     ask();
   });
   part('language').addEventListener('change', () => {
-    chosen = part<HTMLSelectElement>('language').value as Language;
+    chosen = part('language', HTMLSelectElement).value as Language;
     location.hash = ''; // what is chosen now wins over the address
     remember();
     speak(chosen);
@@ -578,14 +595,14 @@ function settings(): void {
   } catch {
     // as above
   }
-  part<HTMLSelectElement>('units').value = us ? 'us' : 'si';
+  part('units', HTMLSelectElement).value = us ? 'us' : 'si';
 }
 
 /** Everything on the desk in a language. */
 function speak(language: Language): void {
   setLanguage(language);
   translate(document);
-  part<HTMLSelectElement>('language').value = language;
+  part('language', HTMLSelectElement).value = language;
   part('page').title = t('The calculation');
   part('wipe').title = t('What you write is kept in this browser until you do this');
   begin.words();

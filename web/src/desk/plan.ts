@@ -89,7 +89,7 @@ export class Plan {
     private readonly desk: Desk,
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
-    this.drawing = svg('svg', { class: 'plan', height: HIGH, tabindex: 0, role: 'group' }) as SVGSVGElement;
+    this.drawing = svg('svg', { class: 'plan', height: HIGH, tabindex: 0, role: 'group' });
     const tool = (label: string, title: string, action: () => void): HTMLElement =>
       el(
         'button',

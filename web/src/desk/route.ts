@@ -1,6 +1,7 @@
 /** The route as a table: a row for each piece, each cell a value of the text. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
-import type { Desk } from './desk';
+import { writtenAt, type Desk } from './desk';
+import { messageOf } from './engine';
 import { addItem, nodeAt, parsed, putSection, removeItem, removeKey, setValue, type Path } from './splice';
 import { t } from './words';
 
@@ -84,7 +85,7 @@ function table(
     for (const column of columns) {
       const path: Path = [...list, i, isSeq(item) ? Number(column.key) : column.key];
       const value = nodeAt(parsed(text), path);
-      const shown = isScalar(value) ? String(value.source ?? value.value ?? '') : '';
+      const shown = isScalar(value) ? (value.source ?? '') : '';
       const write = (next: string): void =>
         desk.change(
           next ? setValue(desk.text(), path, next) : removeKey(desk.text(), path),
@@ -137,7 +138,7 @@ export function routeView(place: HTMLElement, desk: Desk): void {
 /** A button that writes the line of a file into the case, where it has handles then; none where the case chooses more of the file. */
 function intoText(desk: Desk): HTMLElement[] {
   const route = nodeAt(parsed(desk.text()), ['route']);
-  const of = (key: string): string => (isMap(route) ? String(route.get(key) ?? '') : '');
+  const of = (key: string): string => writtenAt(desk.text(), ['route', key]) ?? '';
   const known = isMap(route) && route.items.every((pair) => ['file', 'name', 'layer'].includes(String(pair.key)));
   if (!known || !of('file')) return [];
   const one = document.createElement('button');
@@ -149,7 +150,7 @@ function intoText(desk: Desk): HTMLElement[] {
       .engine()
       ?.section(of('file'), of('name'), of('layer'))
       .then((section) => before === desk.text() && desk.change(putSection(before, 'route', section), t('Route'), true))
-      .catch((why: Error) => desk.say(why.message));
+      .catch((why: unknown) => desk.say(messageOf(why)));
   });
   return [one];
 }

@@ -1,7 +1,8 @@
 /** The screen Simulate: what a run will take, the run while it is computed, its report. It goes on while the desk is used. */
 import { el } from '../dom';
+import type { ReportData } from '../data';
 import type { Live, live } from '../live';
-import { EngineError, inflated, type Engine, type Moment } from './engine';
+import { inflated, messageOf, type Engine, type Moment } from './engine';
 import { Run, Stopped } from './run_worker';
 import { t } from './words';
 
@@ -10,7 +11,7 @@ export interface Desk {
   current(): string;
   name(): string;
   us(): boolean;
-  force(newtons: number): string;
+  force: (newtons: number) => string;
   download(name: string, content: string, type: string): void;
 }
 
@@ -133,7 +134,7 @@ export class Simulation {
             );
       this.startButton.disabled = !!this.run;
     } catch (why) {
-      this.estimate.textContent = why instanceof EngineError ? why.fault.message : String(why);
+      this.estimate.textContent = messageOf(why);
     }
   }
 
@@ -172,8 +173,7 @@ export class Simulation {
       this.status.textContent = t('By the run: {1}', verdict);
       report = true;
     } catch (why) {
-      this.status.textContent =
-        why instanceof Stopped ? this.stopped() : why instanceof EngineError ? why.fault.message : String(why);
+      this.status.textContent = why instanceof Stopped ? this.stopped() : messageOf(why);
     }
     this.run = null;
     this.buttons(report);
@@ -197,11 +197,16 @@ export class Simulation {
     const run = this.run;
     this.frame.onload = () => {
       this.frame.onload = null;
-      const shown = this.frame.contentWindow as ShowsRuns | null;
+      const shown: ShowsRuns | null = this.frame.contentWindow;
       const root = shown?.document.getElementById('live');
       const dark = matchMedia('(prefers-color-scheme: dark)').matches;
       if (run !== this.run || !root || !shown?.hawserLive) return;
-      const made = shown.hawserLive(root, JSON.parse(data), this.desk.us() ? 'us' : 'si', dark ? 'dark' : 'light');
+      const made = shown.hawserLive(
+        root,
+        JSON.parse(data) as ReportData,
+        this.desk.us() ? 'us' : 'si',
+        dark ? 'dark' : 'light',
+      );
       this.shows = made;
       if (this.last) made.add(this.last);
     };

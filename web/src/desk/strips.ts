@@ -36,7 +36,7 @@ class Strip {
     private readonly title: string,
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
-    this.drawing = svg('svg', { class: 'strip', height: high, tabindex: 0, role: 'group' }) as SVGSVGElement;
+    this.drawing = svg('svg', { class: 'strip', height: high, tabindex: 0, role: 'group' });
     this.drags = new Drags(
       desk,
       { root: this.drawing, spot: (event) => this.spot(event), pixel: (spot) => this.pixel(spot) },

@@ -13,7 +13,7 @@ interface Leaf {
 }
 
 function leaves(node: unknown, path: Path, out: Leaf[]): void {
-  if (isScalar(node)) out.push({ path, value: String(node.source ?? node.value ?? '') });
+  if (isScalar(node)) out.push({ path, value: node.source ?? '' });
   else if (isMap(node))
     for (const pair of node.items)
       if (isScalar(pair.key)) leaves(pair.value, [...path, pair.key.value as string | number], out);

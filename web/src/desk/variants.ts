@@ -1,7 +1,7 @@
 /** Variants: texts that are kept beside the case, with what theory says of each: the table for the meeting. */
 import { el } from '../dom';
 import { quantity, type Desk } from './desk';
-import type { Limit, Theory } from './engine';
+import { messageOf, type Limit, type Theory } from './engine';
 import { t } from './words';
 
 const KEPT = 'hawser-desk-variants';
@@ -140,10 +140,7 @@ export class Variants {
   private async calculate(texts: string[]): Promise<void> {
     const unknown = texts.filter((text) => !this.known.has(text));
     for (const text of unknown)
-      this.known.set(
-        text,
-        await (this.desk.engine()?.theory(text) ?? Promise.reject(new Error())).catch((why: Error) => why.message),
-      );
+      this.known.set(text, await (this.desk.engine()?.theory(text) ?? Promise.reject(new Error())).catch(messageOf));
     const rows = [...this.root.querySelectorAll('tbody tr')];
     texts.forEach((text, i) => {
       const row = rows[i];
@@ -171,6 +168,7 @@ export class Variants {
     range.selectNode(table);
     chosen?.addRange(range);
     // the only way that a page from disk has in every browser
+    // eslint-disable-next-line @typescript-eslint/no-deprecated -- see above
     const good = document.execCommand('copy');
     chosen?.removeAllRanges();
     table.remove();
