@@ -145,7 +145,11 @@ export type Call =
   | 'library'
   | 'words'
   | 'cost'
-  | 'run';
+  | 'run'
+  | 'report';
+
+/** Files by their names. */
+export type Files = ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -161,8 +165,10 @@ export interface Reply {
   fault?: Fault;
   /** What a run shows meanwhile; the answer itself comes later. */
   shown?: Shown;
-  /** The report's page of a run that is over. */
+  /** The report's page of a run that is over; of one that failed, as far as it was. */
   report?: string;
+  /** The folder of a run as it is by now. */
+  kept?: Files;
 }
 
 /** First the report's data of a run that has begun, then its moments. */
@@ -187,7 +193,7 @@ export class Engine {
   private readonly waiting = new Map<number, { done: (text: string) => void; failed: (why: Error) => void }>();
   private last = 0;
   /** What has been put beside the case: a run takes it along. */
-  readonly files = new Map<string, Uint8Array>();
+  readonly files = new Map<string, Uint8Array<ArrayBuffer>>();
 
   constructor(private readonly worker: Worker) {
     worker.onmessage = (event: MessageEvent<Reply>) => {
@@ -217,7 +223,7 @@ export class Engine {
   }
 
   /** Puts a file beside the case. */
-  put(name: string, bytes: Uint8Array): Promise<string> {
+  put(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<string> {
     this.files.set(name, bytes);
     return this.ask({ file: { name, bytes } });
   }

@@ -3,7 +3,7 @@ import { el } from '../dom';
 import type { ReportData } from '../data';
 import type { Live, live } from '../live';
 import { inflated, messageOf, type Engine, type Moment } from './engine';
-import { Run, Stopped } from './run_worker';
+import { Run, Stopped, type RunParts } from './run_worker';
 import { t } from './words';
 
 export interface Desk {
@@ -31,6 +31,13 @@ const seconds = (s: number): string => (s < 100 ? `${s.toPrecision(2)} s` : `${M
 const livePage = (): string =>
   `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>run</title><style>${text('report-style')}</style></head>` +
   `<body><main id="live"></main><script>${text('report-script')}</script></body></html>`;
+
+/** The report of a run that has not come to its end; '': there is nothing that it could be made of. */
+const unfinished = (parts: RunParts): Promise<string> =>
+  new Run(parts, { call: 'report', args: [] }).done.then(
+    (end) => end.report,
+    () => '',
+  );
 
 export class Simulation {
   private readonly opener: HTMLButtonElement;
@@ -147,7 +154,7 @@ export class Simulation {
     this.status.textContent = t('The engine is starting.');
     this.shows = this.last = this.most = null;
     this.frame.hidden = true; // what is in it is of another run
-    const encoded = (id: string): Uint8Array => new TextEncoder().encode(text(id));
+    const encoded = (id: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text(id));
     const files = new Map(desk.engine()?.files ?? []);
     files.set('/web/report.js', encoded('report-script'));
     files.set('/web/report.css', encoded('report-style'));
@@ -156,27 +163,34 @@ export class Simulation {
       Uint8Array.from(atob(text('report-sum')), (c) => c.charCodeAt(0)),
     );
     const module = await inflated(text('engine'));
-    this.run = new Run(
-      { script: `${text('glue')}\n${text('worker')}`, module, files },
-      this.ran.text,
+    const parts = { script: `${text('glue')}\n${text('worker')}`, module, files };
+    const run = new Run(
+      parts,
+      { call: 'run', args: [this.ran.text] },
       (data) => this.begun(data),
       (moment) => this.moment(moment),
     );
+    this.run = run;
     this.bar.value = 0;
     this.buttons();
-    let report = false;
+    let report = '';
     try {
-      const end = await this.run.done;
-      const { verdict } = JSON.parse(end.summary) as { verdict: string };
-      this.frame.hidden = false;
-      this.frame.srcdoc = end.report;
-      this.status.textContent = t('By the run: {1}', verdict);
-      report = true;
+      const end = await run.done;
+      report = end.report;
+      this.status.textContent = end.fault
+        ? end.fault.message
+        : t('By the run: {1}', (JSON.parse(end.summary) as { verdict: string }).verdict);
     } catch (why) {
       this.status.textContent = why instanceof Stopped ? this.stopped() : messageOf(why);
+      this.stopButton.disabled = true;
+      if (run.kept.size) report = await unfinished({ ...parts, files: new Map([...files, ...run.kept]) });
+    }
+    if (report) {
+      this.frame.hidden = false;
+      this.frame.srcdoc = report;
     }
     this.run = null;
-    this.buttons(report);
+    this.buttons(!!report);
   }
 
   /** What there is to say of a run that was stopped. */
@@ -184,7 +198,7 @@ export class Simulation {
     const { last, most } = this;
     if (!last || !most) return t('Stopped before anything was computed.');
     return t(
-      'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. A run that is stopped has no verdict and no report; what was computed until then is below.',
+      'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. The report is of what was computed until then: it is no verdict of the whole pull.',
       last.time.toFixed(2),
       last.end.toFixed(0),
       this.desk.force(most.force),

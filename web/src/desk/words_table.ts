@@ -494,9 +494,9 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['{1} s of {2} s, {3} at the winch', '第 {1} 秒，共 {2} 秒，牵引机拉力 {3}', '{1} s von {2} s, {3} an der Winde'],
   ['Finer settings, pass {1}:', '更细的设置，第 {1} 遍：', 'Feinere Einstellungen, Durchgang {1}:'],
   [
-    'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. A run that is stopped has no verdict and no report; what was computed until then is below.',
-    '在第 {1} 秒停止（共 {2} 秒）。此前卷扬机的最大牵引力为 {3}（第 {4} 秒）。被停止的仿真没有结论和报告；此前的计算结果见下。',
-    'Angehalten bei {1} s von {2} s. Bis dahin zog die Winde höchstens {3}, bei {4} s. Ein angehaltener Lauf hat kein Urteil und keinen Bericht; was bis dahin gerechnet war, steht unten.',
+    'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. The report is of what was computed until then: it is no verdict of the whole pull.',
+    '在第 {1} 秒停止（共 {2} 秒）。此前卷扬机的最大牵引力为 {3}（第 {4} 秒）。报告只反映此前的计算结果，不是对整个牵引的结论。',
+    'Angehalten bei {1} s von {2} s. Bis dahin zog die Winde höchstens {3}, bei {4} s. Der Bericht zeigt, was bis dahin gerechnet war: er ist kein Urteil über den ganzen Zug.',
   ],
   ['Stopped before anything was computed.', '尚未计算即已停止。', 'Angehalten, bevor etwas gerechnet war.'],
   ['By the run: {1}', '仿真结论：{1}', 'Nach dem Lauf: {1}'],
