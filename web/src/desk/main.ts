@@ -25,16 +25,30 @@ import {
   workerOf,
   type Along,
   type Fault,
+  type Files,
   type Remedy,
   type Theory,
 } from './engine';
 import { Equipment } from './equipment';
+import {
+  CASES,
+  forgetFiles,
+  keepFiles,
+  keptFiles,
+  mainOf,
+  namedBy,
+  packed,
+  placesFor,
+  ROUTES,
+  SHAPES,
+  unpacked,
+} from './files';
 import { Help } from './help';
 import { markedLine, showLine } from './marked_line';
 import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
 import { Simulation } from './simulate';
-import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
+import { nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
 import { Start } from './start';
 import { Strips } from './strips';
 import { Tabs } from './tabs';
@@ -56,7 +70,6 @@ interface Draft {
   text: string;
 }
 const DRAFT = 'hawser-desk-draft';
-const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|shp)$/i;
 
 /** An element of the page, which is of this class. */
 function part<T extends HTMLElement>(id: string, of: new () => T): T;
@@ -139,11 +152,20 @@ function take(doc: string, as: string): void {
   ask();
 }
 
-function open(doc: string, as: string): void {
+/** files: those of the case, by their places. */
+function open(doc: string, as: string, files: Files = new Map()): void {
   if (current() !== saved && !confirm(t('The case has changes that are not saved. Leave them?'))) return;
   say('');
   take(doc, as);
   keep();
+  void hold(files);
+}
+
+/** Other files of the case, which are kept with its draft. */
+async function hold(files: Files): Promise<void> {
+  await engine?.hold(files);
+  await keepFiles(draftKey(), engine?.files ?? files);
+  ask();
 }
 
 function title(): void {
@@ -225,7 +247,7 @@ const word = (code: string): string => t(`verdict ${code}`);
 const plan = new Plan(theDesk, preview);
 const strips = new Strips(theDesk, preview);
 const whatIf = new WhatIf(theDesk, word);
-const variants = new Variants(theDesk, word, open);
+const variants = new Variants(theDesk, word, (doc, as) => open(doc, as, engine?.files));
 const catalogue = new Catalogue(theDesk, () => page);
 const equipment = new Equipment(theDesk);
 const help = new Help(() => schema);
@@ -233,7 +255,10 @@ const begin = new Start({
   engine: () => theDesk.engine(),
   examples: EXAMPLES,
   drafts,
-  open,
+  open: (doc, as, draft) => {
+    if (draft === undefined) open(doc, as);
+    else void keptFiles(draft).then((files) => open(doc, as, files));
+  },
   choose: () => part('file').click(),
 });
 part('plan').append(plan.root, strips.root);
@@ -420,7 +445,10 @@ function showFault(why: unknown): void {
   chip.className = 'fault';
   chip.title = '';
   part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, t('line {1}', '$1')) ?? String(why);
-  part('remedies').replaceChildren();
+  const missing = namedBy(current()).filter((place) => !engine?.files.has(place));
+  part('remedies').replaceChildren(
+    ...missing.map((place) => button(t('Choose the file {1}', baseOf(place)), '', () => part('file').click())),
+  );
   page = '';
   part('page', HTMLIFrameElement).srcdoc = '';
   document.title = 'hawser desk';
@@ -448,7 +476,7 @@ function mark(fault?: Fault): void {
 
 // --------------------------------------------------------------------------------------------------------------- files
 
-function download(as: string, content: string, type: string): void {
+function download(as: string, content: BlobPart, type: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = as;
@@ -456,32 +484,73 @@ function download(as: string, content: string, type: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-async function openFile(file: File): Promise<void> {
+/** Files that were chosen together: a case with its own, as an archive or one by one; or those of the case on the desk; or a new route. */
+async function openFiles(chosen: Iterable<File>): Promise<void> {
   begin.close();
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  const named = filesOf(current()).filter((path) => path.split('/').pop() === file.name);
-  if (named.length) {
-    for (const path of named) await engine?.put(path, bytes);
-    say(t('{1}: the case names it.', file.name));
-    ask();
+  const all = await Promise.all(
+    [...chosen].map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })),
+  );
+  const placed = (text: string, files: typeof all): Files =>
+    new Map(files.flatMap(({ name, bytes }) => placesFor(text, name).map((place) => [place, bytes] as const)));
+  const archive = all.find((one) => /\.zip$/i.test(one.name));
+  if (archive) {
+    const set = unpacked(archive.bytes);
+    if (!set) throw new Error(t('{1} has no case in it.', archive.name));
+    open(set.text, set.name, set.files);
     return;
   }
-  if (!ROUTES.test(file.name)) {
-    open(new TextDecoder().decode(bytes), file.name);
+  const asked = (name: string): boolean => namedBy(current()).some((place) => place.endsWith(`/${name}`));
+  const main = mainOf(all.filter((one) => !asked(one.name)));
+  if (main) {
+    open(
+      main.text,
+      main.name,
+      placed(
+        main.text,
+        all.filter((one) => one.name !== main.name),
+      ),
+    );
     return;
   }
-  await engine?.put(file.name, bytes);
-  try {
-    const lines = (await engine?.route(file.name)) ?? [];
-    const good = lines.filter((line) => !line.problem);
-    const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
-    change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file.name)}${only}}`), t('Route'));
-    const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
-    say(`${file.name}: ${kinds}. ${t('Keep the file beside the case: the case refers to it.')}`);
-  } catch (why) {
-    say(messageOf(why));
-  }
+  const shape = all.find((one) => SHAPES.test(one.name));
+  if (shape)
+    throw new Error(
+      t('The desk reads no shapefiles such as {1}. Save the lines as GeoJSON, for example by QGIS.', shape.name),
+    );
+  const other = all.find((one) => !ROUTES.test(one.name) && !CASES.test(one.name));
+  if (other) throw new Error(t('{1} is neither a case nor a route.', other.name));
+  await hold(new Map([...(engine?.files ?? []), ...placed(current(), all)]));
+  for (const { name: file } of all)
+    if (asked(file)) say(t('{1}: the case names it.', file));
+    else await route(file);
 }
+
+/** The line of a file beside the case becomes its route. */
+async function route(file: string): Promise<void> {
+  const lines = (await engine?.route(file)) ?? [];
+  const good = lines.filter((line) => !line.problem);
+  const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
+  change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file)}${only}}`), t('Route'));
+  const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
+  say(`${file}: ${kinds}. ${t('It is kept and saved with the case.')}`);
+}
+
+const opened = (chosen: Iterable<File>): void => void openFiles(chosen).catch((why: unknown) => say(messageOf(why)));
+
+/** The case as a file; with the files that it names, if it names any, as one archive. */
+function save(): void {
+  const words = current().replaceAll('\n', eol);
+  const files = engine?.files ?? new Map();
+  const archive = packed(name, words, files);
+  if (archive) download(`${name.replace(CASES, '')}.zip`, archive, 'application/zip');
+  else download(name, words, 'text/yaml');
+  const missing = namedBy(words).filter((place) => !files.has(place));
+  say(missing.length ? t('{1} is not in it: it was not opened here.', missing.map(baseOf).join(', ')) : '');
+  saved = current();
+  title();
+}
+
+const baseOf = (place: string): string => place.slice(place.lastIndexOf('/') + 1);
 
 // ---------------------------------------------------------------------------------------------------------- the screen
 
@@ -498,14 +567,10 @@ function wire(): void {
   const input = part('file', HTMLInputElement);
   part('open').addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
-    for (const file of input.files ?? []) void openFile(file);
+    opened([...(input.files ?? [])]);
     input.value = '';
   });
-  part('save').addEventListener('click', () => {
-    download(name, current().replaceAll('\n', eol), 'text/yaml');
-    saved = current();
-    title();
-  });
+  part('save').addEventListener('click', save);
   part('save-page').addEventListener('click', () =>
     download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part('page', HTMLIFrameElement).srcdoc, 'text/html'),
   );
@@ -527,6 +592,7 @@ function wire(): void {
   part('wipe').addEventListener('click', () => {
     try {
       localStorage.removeItem(draftKey());
+      void forgetFiles(draftKey());
       forgetVariants();
       say(t('The draft and the variants that this browser kept are gone.'));
     } catch {
@@ -554,7 +620,7 @@ function wire(): void {
     (event) => {
       event.preventDefault();
       event.stopPropagation(); // the editor would insert the file's text
-      for (const file of event.dataTransfer?.files ?? []) void openFile(file);
+      opened([...(event.dataTransfer?.files ?? [])]);
     },
     true,
   );
@@ -634,9 +700,11 @@ async function start(): Promise<void> {
   const first = given ?? { name: 'case.yaml', text: ductText };
   take(first.text, first.name);
   const later = before?.text && before.text !== current();
+  let drafted = !given && !!before;
   if (later && (!given || confirm(t('This browser has a draft of {1} that differs. Go on with it?', first.name)))) {
     take(before.text, before.name);
     saved = ''; // nobody has saved it
+    drafted = true;
     title();
   }
   speak(languageOf());
@@ -644,6 +712,7 @@ async function start(): Promise<void> {
   say(t('The engine is starting.'));
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
+  if (drafted) await engine.hold(await keptFiles(draftKey()));
   say('');
   ready = true;
   schema = JSON.parse(await engine.call('schema')) as Schema;

@@ -40,7 +40,7 @@ export function button(label: string, title: string, action: () => void): HTMLBu
   one.type = 'button';
   one.textContent = label;
   one.title = title;
-  one.setAttribute('aria-label', title);
+  if (title) one.setAttribute('aria-label', title);
   one.addEventListener('click', action);
   return one;
 }

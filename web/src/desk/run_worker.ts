@@ -42,7 +42,7 @@ export class Run {
       this.worker.onerror = (event) => failed(new Error(event.message));
       this.worker.onmessage = ({ data: { id, text: said, fault, shown, report, kept } }: MessageEvent<Reply>) => {
         if (id === START && !fault) {
-          for (const [name, bytes] of parts.files) post(FILE, { file: { name, bytes } });
+          for (const [place, bytes] of parts.files) post(FILE, { file: { place, bytes } });
           post(RUN, call);
         } else if (kept) {
           this.kept = kept;

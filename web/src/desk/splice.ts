@@ -184,7 +184,12 @@ export function removeItem(text: string, path: Path, i: number): Change | undefi
 
 /** Texts of the case that may be names of files: they are paths from where the case is. */
 export function filesOf(text: string): string[] {
-  const data = parsed(text).toJS() as Data | null;
+  let data: Data | null;
+  try {
+    data = parsed(text).toJS() as Data | null;
+  } catch {
+    return []; // it is no YAML yet
+  }
   const texts = (value: unknown): string[] =>
     typeof value === 'string' ? [value] : value && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
   return [data?.['route'], data?.['drawing'], data?.['include']].flatMap(texts);

@@ -12,7 +12,8 @@ export interface Beginning {
   examples: readonly (readonly [label: string, text: string])[];
   /** By their names in the browser's store. */
   drafts(): Map<string, { name: string; text: string }>;
-  open(text: string, name: string): void;
+  /** draft: its name in the browser's store. */
+  open(text: string, name: string, draft?: string): void;
   choose(): void;
 }
 
@@ -36,11 +37,11 @@ export class Start {
 
   words(): void {
     const { from } = this;
-    const go = (text: string, name: string) => (): void => {
+    const go = (text: string, name: string, draft?: string) => (): void => {
       this.close();
-      from.open(text, name);
+      from.open(text, name, draft);
     };
-    const drafts = [...from.drafts().values()];
+    const drafts = [...from.drafts()];
     this.root.setAttribute('aria-label', t('Begin'));
     this.root.replaceChildren(
       el('h2', {}, t('New from an example')),
@@ -61,13 +62,13 @@ export class Start {
         'button',
         { type: 'button', class: 'drop', onclick: () => from.choose() },
         t('Drop a case or a route here, or choose a file'),
-        el('small', {}, 'YAML, CSV, XLSX, ODS, DXF, LandXML, IFC, GPX, KML, KMZ, GeoJSON'),
+        el('small', {}, 'YAML, ZIP, CSV, XLSX, ODS, DXF, LandXML, IFC, GPX, KML, KMZ, GeoJSON'),
       ),
       ...(drafts.length ? [el('h2', {}, t('Kept in this browser'))] : []),
       el(
         'div',
         { class: 'buttons' },
-        ...drafts.map(({ name, text }) => el('button', { type: 'button', onclick: go(text, name) }, name)),
+        ...drafts.map(([key, { name, text }]) => el('button', { type: 'button', onclick: go(text, name, key) }, name)),
         el('button', { type: 'button', class: 'close', onclick: () => this.close() }, t('Back to the case')),
       ),
     );

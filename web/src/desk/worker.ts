@@ -11,6 +11,7 @@ interface Module {
     isFile(mode: number): boolean;
     analyzePath(path: string): { exists: boolean };
     mkdirTree(path: string): void;
+    unlink(path: string): void;
     writeFile(path: string, bytes: Uint8Array): void;
   };
   ENV: Record<string, string>;
@@ -66,10 +67,10 @@ async function answer(request: Request): Promise<Reply> {
   }
   if (!engine) return { id, fault: broken('the engine has not started') };
   if (request.file) {
-    const path = new URL(request.file.name, 'file:///case/').pathname; // '../x.csv' is beside the folder
-    const place = decodeURIComponent(path);
+    const { place, bytes } = request.file;
     engine.FS.mkdirTree(place.slice(0, place.lastIndexOf('/')) || '/');
-    engine.FS.writeFile(place, request.file.bytes);
+    if (bytes) engine.FS.writeFile(place, bytes);
+    else if (engine.FS.analyzePath(place).exists) engine.FS.unlink(place);
     return { id };
   }
   running = id;
