@@ -58,6 +58,17 @@ export function newest<A, B>(
   };
 }
 
+/** From the best verdict to the worst. */
+const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
+
+/** Of several chains that are pulled together the one with the worst verdict; '': the only one. */
+export function worstChain(whole: Theory): { chain: string; one: Theory; chains: number } {
+  const chains = Object.entries(whole.theory ?? { '': whole });
+  const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
+  const [chain, one] = chains.reduce((worst, each) => (rank(each[1]) > rank(worst[1]) ? each : worst));
+  return { chain, one, chains: chains.length };
+}
+
 /** A quantity as people read it; '–': not known. */
 export function quantity(value: number | null | undefined, unit: Unit, us: boolean, significant = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';

@@ -8,15 +8,16 @@ import { yaml } from '@codemirror/lang-yaml';
 import { HighlightStyle, syntaxHighlighting } from '@codemirror/language';
 import { tags } from '@lezer/highlight';
 import { lintGutter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
-import ductText from '../../../docs/tutorial/duct.yaml';
+import ductText from '../../../docs/tutorial/duct-first.yaml';
 import tunnelText from '../../../docs/tutorial/tunnel.yaml';
 import plannerText from '../../../cases/theory/planner.yaml';
 import threeText from '../../../cases/three-in-a-duct.yaml';
 import rollersText from '../../../cases/huangjiahu.yaml';
 import limitsText from '../../../cases/limits.yaml';
+import { el } from '../dom';
 import { Catalogue } from './catalogue';
 import { completions, type Schema } from './complete';
-import { newest, Place, quantity, writtenAt, type Desk } from './desk';
+import { newest, Place, quantity, worstChain, writtenAt, type Desk } from './desk';
 import {
   Engine,
   EngineError,
@@ -255,6 +256,7 @@ const begin = new Start({
   engine: () => theDesk.engine(),
   examples: EXAMPLES,
   drafts,
+  verdict: word,
   open: (doc, as, draft) => {
     if (draft === undefined) open(doc, as);
     else void keptFiles(draft).then((files) => open(doc, as, files));
@@ -270,13 +272,13 @@ part('help').append(help.root);
 
 const left = new Tabs(
   {
-    text: part('editor'),
     route: part('route'),
-    values: part('values'),
     duct: part('duct'),
     equipment: part('equipment'),
+    values: part('values'),
+    text: part('editor'),
   },
-  'text',
+  'route',
   () => views(),
 );
 const right = new Tabs(
@@ -382,17 +384,12 @@ function answered(): void {
   void begin.draw();
 }
 
-/** From the best verdict to the worst. */
-const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
-
 /** A sentence of the engine without its verdict, which stands before it. */
 const withoutWord = (sentence: string): string =>
   sentence.replace(/^[A-Z ]+: (.)/, (_, first: string) => first.toUpperCase());
 
 async function showAnswer(whole: Theory, mine: number): Promise<void> {
-  const chains = Object.entries(whole.theory ?? { '': whole });
-  const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
-  const [chain, one] = chains.reduce((worst, each) => (rank(each[1]) > rank(worst[1]) ? each : worst));
+  const { chain, one, chains } = worstChain(whole);
   // whole sentences are translated, and cut behind that: an "only if" is no sentence without its word
   const plainly = [one.verdict_forward, one.verdict_backward];
   const said = languageNumber() ? await engine?.words(plainly, languageNumber()) : plainly.map(withoutWord);
@@ -401,12 +398,14 @@ async function showAnswer(whole: Theory, mine: number): Promise<void> {
   chip.textContent = word(one.verdict_code);
   chip.className = one.verdict_code;
   chip.title = t(`verdict ${one.verdict_code}, help`);
-  const lines = [
-    ...(chain ? [t('Of {1} chains the worst: {2}.', String(chains.length), chain)] : []),
-    `${t('Pulled forward {1} at the winch.', quantity(one.largest_force_N, 'N', us))} ${said?.[0] ?? ''}`,
-    `${t('Pulled back {1}.', quantity(one.backward_largest_force_N, 'N', us))} ${said?.[1] ?? ''}`,
-  ];
-  part('words').textContent = lines.join('\n');
+  const [forward, back] = [one.largest_force_N, one.backward_largest_force_N].map((force) => quantity(force, 'N', us));
+  const way = (words: string, sentence: string | undefined): HTMLElement =>
+    el('p', {}, el('strong', {}, words), ` ${sentence ?? ''}`);
+  part('words').replaceChildren(
+    ...(chain ? [el('p', {}, t('Of {1} chains the worst: {2}.', String(chains), chain))] : []),
+    way(t('Pulled forward {1} at the winch.', forward ?? ''), said?.[0]),
+    way(t('Pulled back {1}.', back ?? ''), said?.[1]),
+  );
   document.title = `${one.title}: ${chip.textContent}`;
   part('remedies').replaceChildren(...(chain ? [] : remedies(one)));
 }
@@ -426,7 +425,12 @@ function remedies(theory: Theory): (HTMLElement | string)[] {
       one.key && one.value !== null ? setValue(current(), pathOf(one.key), next(one)) : undefined,
     );
     if (changes.some((one) => !one)) continue;
-    const words = group.map((one) => `${one.key}: ${next(one)}`).join(', ');
+    const words = group
+      .map((one) => {
+        const now = one.key ? writtenAt(current(), pathOf(one.key)) : undefined;
+        return `${one.key}: ${next(one)}${now === undefined ? '' : ` (${t('now {1}', now)})`}`;
+      })
+      .join(', ');
     const one = button(
       words,
       `${t('Writes it into the case, which is then:')} ${word(group[0]?.verdict_code ?? '')}`,
@@ -435,7 +439,7 @@ function remedies(theory: Theory): (HTMLElement | string)[] {
     one.removeAttribute('aria-label'); // its words say it
     found.push(one);
   }
-  return found.length ? [t('What would do:'), ...found] : [];
+  return found.length ? [t('What would make it safe:'), ...found] : [];
 }
 
 function showFault(why: unknown): void {
@@ -448,6 +452,9 @@ function showFault(why: unknown): void {
   const missing = namedBy(current()).filter((place) => !engine?.files.has(place));
   part('remedies').replaceChildren(
     ...missing.map((place) => button(t('Choose the file {1}', baseOf(place)), '', () => part('file').click())),
+    ...(fault?.line && left.shown !== 'text'
+      ? [button(t('Show line {1}', String(fault.line)), '', toLine(fault.line))]
+      : []),
   );
   page = '';
   part('page', HTMLIFrameElement).srcdoc = '';
@@ -457,7 +464,16 @@ function showFault(why: unknown): void {
   draw(along, true);
 }
 
-/** The engine's message at its line. */
+/** To a line of the text. */
+const toLine = (line: number) => (): void => {
+  left.show('text');
+  view.dispatch({
+    selection: { anchor: view.state.doc.line(Math.min(line, view.state.doc.lines)).to },
+    scrollIntoView: true,
+  });
+  view.focus();
+};
+
 /** The line of the route's piece, from 1 on; 0: none. */
 function markLine(listed: number): void {
   const path = ['pieces', 'points'].map((kind) => ['route', kind, listed - 1]);
@@ -465,6 +481,7 @@ function markLine(listed: number): void {
   showLine(view, node?.range && node.range[0] <= view.state.doc.length ? node.range[0] : -1);
 }
 
+/** The engine's message at its line. */
 function mark(fault?: Fault): void {
   const marks: Diagnostic[] = [];
   if (fault && fault.line > 0 && fault.line <= view.state.doc.lines) {
@@ -738,6 +755,7 @@ Object.assign(window, {
       views();
     },
     cursor: (line: number) => {
+      left.show('text');
       view.dispatch({ selection: { anchor: view.state.doc.line(line).to } });
       view.focus();
     },

@@ -7,7 +7,7 @@ import type { Along, Stand } from './engine';
 import { handles, nearest, spotAt, type Handle, type Spot } from './handles';
 import { t } from './words';
 
-const HIGH = 270;
+const HIGH = 220;
 const NAMED = 24;
 
 /** What is to be seen: px a metre, and the place in the middle. */

@@ -43,6 +43,7 @@ export class Simulation {
   private readonly opener: HTMLButtonElement;
   private readonly root: HTMLElement;
   private readonly status = el('p', { role: 'status', id: 'run-status' });
+  private readonly about = el('p', { class: 'about' });
   private readonly estimate = el('p', { id: 'run-estimate' });
   private readonly stale = el('p', { id: 'run-stale' });
   private readonly bar = el('progress', { max: 1, value: 0, hidden: true });
@@ -61,8 +62,9 @@ export class Simulation {
 
   constructor(private readonly desk: Desk) {
     this.opener = document.getElementById('simulate') as HTMLButtonElement;
-    const button = (onclick: () => void): HTMLButtonElement => el('button', { type: 'button', onclick });
-    this.startButton = button(() => void this.start());
+    const button = (onclick: () => void, kind = ''): HTMLButtonElement =>
+      el('button', { type: 'button', class: kind, onclick });
+    this.startButton = button(() => void this.start(), 'first');
     this.stopButton = button(() => this.run?.stop());
     this.saveButton = button(() =>
       desk.download(`${this.ran?.name.replace(/\.ya?ml$/, '') ?? 'run'}-report.html`, this.frame.srcdoc, 'text/html'),
@@ -82,6 +84,7 @@ export class Simulation {
         this.printButton,
         this.bar,
       ),
+      this.about,
       this.estimate,
       this.status,
       this.stale,
@@ -99,6 +102,9 @@ export class Simulation {
   words(): void {
     this.root.setAttribute('aria-label', t('Simulation'));
     this.frame.title = t('The run');
+    this.about.textContent = t(
+      'A simulation moves the cable step by step: it adds to theory what rollers, sag, stiffness and starting do. Start it; the desk can be used meanwhile.',
+    );
     this.back.textContent = t('Back to the case');
     this.startButton.textContent = t('Start');
     this.stopButton.textContent = t('Stop');
@@ -154,6 +160,7 @@ export class Simulation {
     this.status.textContent = t('The engine is starting.');
     this.shows = this.last = this.most = null;
     this.frame.hidden = true; // what is in it is of another run
+    this.about.hidden = true;
     const encoded = (id: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text(id));
     const files = new Map(desk.engine()?.files ?? []);
     files.set('/web/report.js', encoded('report-script'));

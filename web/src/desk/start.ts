@@ -1,5 +1,6 @@
 /** The screen to begin with: examples with their plans, a place for files, what this browser has kept. */
 import { el } from '../dom';
+import { worstChain } from './desk';
 import type { Engine } from './engine';
 import { picture } from './plan';
 import { t } from './words';
@@ -10,6 +11,8 @@ const HIGH = 110;
 export interface Beginning {
   engine(): Engine | undefined;
   examples: readonly (readonly [label: string, text: string])[];
+  /** A verdict in words. */
+  verdict(code: string): string;
   /** By their names in the browser's store. */
   drafts(): Map<string, { name: string; text: string }>;
   /** draft: its name in the browser's store. */
@@ -19,7 +22,9 @@ export interface Beginning {
 
 export class Start {
   readonly root = el('dialog', { id: 'start' });
+  /** Of the examples' texts. */
   private readonly pictures = new Map<string, SVGElement>();
+  private readonly verdicts = new Map<string, string>();
 
   constructor(private readonly from: Beginning) {
     document.body.append(this.root);
@@ -44,7 +49,12 @@ export class Start {
     const drafts = [...from.drafts()];
     this.root.setAttribute('aria-label', t('Begin'));
     this.root.replaceChildren(
-      el('h2', {}, t('New from an example')),
+      el(
+        'p',
+        {},
+        t('hawser calculates the forces of a cable pull and says whether it is safe. Nothing leaves this page.'),
+      ),
+      el('h2', {}, t('Begin with the example that is most like your pull: everything in it can be changed')),
       el(
         'div',
         { class: 'examples' },
@@ -53,7 +63,7 @@ export class Start {
             'button',
             { type: 'button', onclick: go(text, 'case.yaml') },
             el('span', { class: 'frame' }, this.pictures.get(text)),
-            t(label),
+            el('span', {}, t(label), this.chip(text)),
           ),
         ),
       ),
@@ -74,17 +84,27 @@ export class Start {
     );
   }
 
+  /** What theory says of an example; empty: not yet. */
+  private chip(text: string): HTMLElement {
+    const code = this.verdicts.get(text);
+    return el('span', { class: `chip ${code ?? ''}` }, code ? this.from.verdict(code) : '');
+  }
+
   /** The pictures, one after the other, once the engine has time for them. */
   async draw(): Promise<void> {
     const engine = this.from.engine();
     if (!engine || !this.root.open) return;
     for (const [i, [, text]] of this.from.examples.entries()) {
-      if (this.pictures.has(text)) continue;
+      if (this.verdicts.has(text)) continue;
       const along = await engine.along(text).catch(() => undefined);
       if (!along) continue;
       const made = picture(along, WIDE, HIGH);
       this.pictures.set(text, made);
       this.root.querySelectorAll('.frame')[i]?.replaceChildren(made);
+      const theory = await engine.theory(text).catch(() => undefined);
+      if (!theory) continue;
+      this.verdicts.set(text, worstChain(theory).one.verdict_code);
+      this.root.querySelectorAll('.examples .chip')[i]?.replaceWith(this.chip(text));
     }
   }
 }

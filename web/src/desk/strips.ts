@@ -188,9 +188,9 @@ export class Strips {
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
     this.strips = [
-      new Strip(desk, 104, 'Profile', preview),
-      new Strip(desk, 160, 'Tension', preview),
-      new Strip(desk, 120, 'Sidewall pressure', preview),
+      new Strip(desk, 84, 'Profile', preview),
+      new Strip(desk, 140, 'Tension', preview),
+      new Strip(desk, 100, 'Sidewall pressure', preview),
     ];
     const names = ['Profile', 'Tension at speed, the route full of cable', 'Sidewall pressure at speed'];
     this.root = el(

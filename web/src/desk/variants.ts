@@ -6,6 +6,8 @@ import { t } from './words';
 
 const KEPT = 'hawser-desk-variants';
 
+const NAMES = ['Variant', 'Verdict', 'Pulled forward', 'Pulled back', 'Sidewall pressure', 'Worst place'];
+
 interface Variant {
   name: string;
   text: string;
@@ -80,14 +82,13 @@ export class Variants {
   }
 
   private head(tools: boolean): HTMLElement {
-    const names = ['Variant', 'Verdict', 'Pulled forward', 'Pulled back', 'Sidewall pressure', 'Worst place'];
     return el(
       'thead',
       {},
       el(
         'tr',
         {},
-        ...names.map((one) => el('th', { scope: 'col' }, t(one))),
+        ...NAMES.map((one) => el('th', { scope: 'col' }, t(one))),
         tools && el('th', { scope: 'col', class: 'tools' }, t('Actions')),
       ),
     );
@@ -102,13 +103,16 @@ export class Variants {
     const limit = worst(theory);
     const margin = limit?.margin ?? 0;
     const left = t(margin < 0 ? '{1} over' : '{1} left', `${Math.abs(100 * margin).toFixed(1)} %`);
+    // on a narrow screen each cell has its column's name before it
+    const cell = (i: number, words: string, kind = ''): HTMLElement =>
+      el('td', { class: kind, 'data-name': t(NAMES[i] ?? '') }, words);
     return [
       el('th', { scope: 'row' }, label),
-      el('td', { class: `mark ${theory.verdict_code}` }, this.verdict(theory.verdict_code)),
-      el('td', {}, quantity(theory.largest_force_N, 'N', us)),
-      el('td', {}, quantity(theory.backward_largest_force_N, 'N', us)),
-      el('td', {}, quantity(theory.max_sidewall_N_per_m, 'N/m', us)),
-      el('td', {}, limit ? `${limit.where} – ${t(`limit ${limit.name}`)}: ${left}` : '–'),
+      cell(1, this.verdict(theory.verdict_code), `mark ${theory.verdict_code}`),
+      cell(2, quantity(theory.largest_force_N, 'N', us)),
+      cell(3, quantity(theory.backward_largest_force_N, 'N', us)),
+      cell(4, quantity(theory.max_sidewall_N_per_m, 'N/m', us)),
+      cell(5, limit ? `${limit.where} – ${t(`limit ${limit.name}`)}: ${left}` : '–'),
     ];
   }
 

@@ -101,7 +101,7 @@ export class WhatIf {
         'div',
         { class: 'buttons' },
         el('button', { type: 'button', onclick: () => this.write() }, t('Write into the case')),
-        el('button', { type: 'button', onclick: () => this.back() }, t('Back to the case')),
+        el('button', { type: 'button', onclick: () => this.back() }, t('Reset the sliders')),
       ),
       rows.length
         ? el('div', { class: 'knobs' }, ...rows)
@@ -172,7 +172,7 @@ export class WhatIf {
         {},
         el('th', { scope: 'row' }, label),
         el('td', {}, now ? of(now) : '–'),
-        el('td', {}, then ? of(then) : this.set.size ? '–' : ''),
+        el('td', {}, then ? of(then) : '–'),
       );
     this.answer.replaceChildren(
       el(

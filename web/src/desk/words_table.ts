@@ -2,7 +2,16 @@
  * stands alone. Words of trade are those of the engine's table (io/results/words.c). */
 export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?: string])[] = [
   // the screen
-  ['New from an example', '从示例新建', 'Neu aus einem Beispiel'],
+  [
+    'hawser calculates the forces of a cable pull and says whether it is safe. Nothing leaves this page.',
+    'hawser 计算电缆牵引力并判断牵引是否安全。任何数据都不会离开本页面。',
+    'hawser berechnet die Kräfte eines Kabelzugs und sagt, ob er sicher ist. Nichts verlässt diese Seite.',
+  ],
+  [
+    'Begin with the example that is most like your pull: everything in it can be changed',
+    '从最接近您工程的示例开始：其中一切均可修改',
+    'Mit dem Beispiel beginnen, das Ihrem Zug am nächsten kommt: alles darin lässt sich ändern',
+  ],
   ['New', '新建', 'Neu'],
   ['Begin', '开始', 'Anfangen'],
   ['Or with what you have', '或使用已有文件', 'Oder mit dem, was Sie haben'],
@@ -21,7 +30,7 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['Open a case or route', '打开算例或线路', 'Rechenfall oder Trasse öffnen'],
   ['Save the case', '保存算例', 'Rechenfall sichern'],
   ['Save the calculation', '保存计算书', 'Berechnung sichern'],
-  ['Print it', '打印', 'Drucken'],
+  ['Print the calculation', '打印计算书', 'Berechnung drucken'],
   ['Units', '单位制', 'Einheiten'],
   ['metric', '公制', 'metrisch'],
   ['US units', '美制', 'US-Einheiten'],
@@ -102,7 +111,9 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['Of {1} chains the worst: {2}.', '{1} 条牵引链中最不利者：{2}。', 'Von {1} Ketten die ungünstigste: {2}.'],
   ['Pulled forward {1} at the winch.', '正向牵引：卷扬机处 {1}。', 'Vorwärts gezogen: {1} an der Winde.'],
   ['Pulled back {1}.', '反向牵引：{1}。', 'Rückwärts gezogen: {1}.'],
-  ['What would do:', '可行措施：', 'Das würde genügen:'],
+  ['What would make it safe:', '可使其安全的措施：', 'Damit wäre er sicher:'],
+  ['now {1}', '现为 {1}', 'jetzt {1}'],
+  ['Show line {1}', '显示第 {1} 行', 'Zeile {1} zeigen'],
   [
     'Writes it into the case, which is then:',
     '写入算例，其结论将为：',
@@ -160,6 +171,18 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['Radius', '半径', 'Radius'],
   ['Turns', '转向', 'Richtung'],
   ['Slope', '坡度', 'Neigung'],
+  [
+    'The order is that of the pull, from the reel to the winch. A value has its unit: 150 m, 500 ft, 45 deg.',
+    '顺序为牵引顺序：从电缆盘到卷扬机。数值须带单位：150 m、500 ft、45 deg。',
+    'Die Reihenfolge ist die des Zugs, von der Trommel zur Winde. Ein Wert hat seine Einheit: 150 m, 500 ft, 45 deg.',
+  ],
+  ['straight', '直线', 'Gerade'],
+  ['bend', '弯段', 'Bogen'],
+  ['Clothoid', '缓和曲线', 'Klothoide'],
+  ['Radius at its start', '起点半径', 'Radius am Anfang'],
+  ['Radius at its end', '终点半径', 'Radius am Ende'],
+  ['Parabola', '抛物线', 'Parabel'],
+  ['Slope at its end', '终点坡度', 'Neigung am Ende'],
   ['x', 'x', 'x'],
   ['y', 'y', 'y'],
   ['z', 'z', 'z'],
@@ -181,7 +204,8 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     'Bewegen Sie einen Wert: es wird sofort gerechnet; der Rechenfall bleibt, wie er ist, bis Sie ihn schreiben.',
   ],
   ['Write into the case', '写入算例', 'In den Rechenfall schreiben'],
-  ['Back to the case', '恢复算例数值', 'Zurück zum Rechenfall'],
+  ['Back to the case', '返回算例', 'Zurück zum Rechenfall'],
+  ['Reset the sliders', '恢复算例数值', 'Regler zurücksetzen'],
   [
     'The case has no value that a slider is for.',
     '算例中没有可用滑块调整的数值。',
@@ -249,7 +273,7 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   // equipment
   ['Rollers by rule', '按规则布置滚轮', 'Rollen nach Regel'],
   ['One by one', '逐个布置', 'Einzeln'],
-  ['In the text', '文本中的设备', 'Im Text'],
+  ['What the case has', '算例中的设备', 'Was der Rechenfall hat'],
   [
     'Where it stands, with the load pulled forward',
     '布置位置与正向牵引时的荷载',
@@ -516,6 +540,11 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     'Angehalten bei {1} s von {2} s. Bis dahin zog die Winde höchstens {3}, bei {4} s. Der Bericht zeigt, was bis dahin gerechnet war: er ist kein Urteil über den ganzen Zug.',
   ],
   ['Stopped before anything was computed.', '尚未计算即已停止。', 'Angehalten, bevor etwas gerechnet war.'],
+  [
+    'A simulation moves the cable step by step: it adds to theory what rollers, sag, stiffness and starting do. Start it; the desk can be used meanwhile.',
+    '仿真逐步移动电缆：在理论计算之外计入滚轮、垂度、刚度和起动的影响。点击“开始”；其间可继续使用本页面。',
+    'Eine Simulation bewegt das Kabel Schritt für Schritt: Rollen, Durchhang, Steifigkeit und Anfahren kommen zur Theorie hinzu. Starten Sie sie; der Arbeitsplatz bleibt dabei benutzbar.',
+  ],
   ['By the run: {1}', '仿真结论：{1}', 'Nach dem Lauf: {1}'],
   [
     'The case has changed since this run.',
