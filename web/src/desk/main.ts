@@ -23,6 +23,7 @@ import {
   EngineError,
   inflated,
   messageOf,
+  placeOf,
   workerOf,
   type Along,
   type Fault,
@@ -760,6 +761,8 @@ Object.assign(window, {
       view.focus();
     },
     theory: (doc: string) => engine?.call('theory', doc, 'all'),
+    hold: (files: Record<string, string>) =>
+      hold(new Map(Object.entries(files).map(([name, words]) => [placeOf(name), new TextEncoder().encode(words)]))),
   },
 });
 
