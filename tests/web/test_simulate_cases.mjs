@@ -94,8 +94,16 @@ function assertClose(got, expected, most, key, passed) {
   }
 }
 
-// Pulled either way along a level turn the forces are the same: which is "better", and where along a plateau the largest is, is rounding's.
-const TIES = { 'capstan.yaml': /direction$|head_m$/ };
+// Where the two may differ. Pulled either way along a level turn the forces are the same: which is "better", and where along a plateau the
+// largest is, is rounding's. What binds at the longest length is read where the bound fails in its last digit: the browser's rounding finds
+// no limit broken there and names the stiffness (open). A case without a title is called by its file.
+const TIES = {
+  'capstan.yaml': /direction$|head_m$/,
+  'bundles/three-in-a-duct.yaml': /direction$|head_m$/,
+  'routes/tunnel-geojson.yaml': /answers\.(binds|where)$/,
+  'routes/tunnel-gpx.yaml': /answers\.(binds|where)$/,
+  'theory/route-table.yaml': /yaml\.title$/,
+};
 
 test('theory of every case is what the program says, also where it says that it has none', async (t) => {
   const all = readdirSync(join(ROOT, 'cases'), { recursive: true });
