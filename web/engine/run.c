@@ -95,7 +95,7 @@ typedef struct Shown {
 } Shown;
 
 /* Share of the time that handing over the folder may take. */
-static const double keep_share = 0.02;
+static const double keep_share = 0.1;
 
 /* Hands the folder as it is to the page, which has the report of it if the run is ended from outside. The folder has a
  * summary of the present moment; in a finer pass it has that of the first. */
