@@ -14,6 +14,7 @@ fi
 [ "${1-}" != --packages ] || exit 0
 
 node_modules/.bin/tsc --noEmit
+node_modules/.bin/eslint --max-warnings 0 src
 node_modules/.bin/prettier --config .prettierrc.json --check --log-level warn src '*.mjs' package.json tsconfig.json '../tests/web/**/*.mjs'
 if [ "${1-}" != --check ]; then
     node build.mjs

@@ -12,13 +12,14 @@ from pathlib import Path
 
 WEB = Path(__file__).resolve().parent
 MANIFEST = WEB / "dist" / "MANIFEST"
-MADE_OF = ("package.json", "package-lock.json", "tsconfig.json", "build.mjs", "desk.mjs", "licence.mjs", "engine/desk.c", "engine/desk.h", "engine/run.c")
+MADE_OF = ("package.json", "package-lock.json", "tsconfig.json", "build.mjs", "desk.mjs", "licence.mjs")
 MADE = ("dist/report.js", "dist/report.css", "dist/desk.html")
 
 
 def sums():
     """The manifest's text: a line a file, as sha256sum writes it, by name."""
-    names = [*MADE_OF, *MADE, *(str(path.relative_to(WEB)) for path in (WEB / "src").rglob("*") if path.is_file())]
+    folders = [path for folder in ("src", "engine") for path in (WEB / folder).rglob("*") if path.is_file()]
+    names = [*MADE_OF, *MADE, *(str(path.relative_to(WEB)) for path in folders)]
     return "".join(f"{hashlib.sha256((WEB / name).read_bytes()).hexdigest()}  {name}\n" for name in sorted(names))
 
 

@@ -2,12 +2,14 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
 import { assertSame, desk, differing, drag, put, read, settled, textOf } from './desk.mjs';
 
 const hawser = process.argv[2];
+const { unzipSync } = createRequire(join(ROOT, 'web/package.json'))('fflate');
 after(stop);
 
 test('the first screen: the verdict of the example and its calculation, without a request', async () => {
@@ -91,13 +93,48 @@ test('a surveyor’s table becomes the route, the case and the calculation are s
   );
   const saved = async (button) => {
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
-    return [download.suggestedFilename(), readFileSync(await download.path(), 'utf8')];
+    return [download.suggestedFilename(), readFileSync(await download.path())];
   };
-  assert.deepEqual(await saved('#save'), ['case.yaml', text]);
   const [name, calculation] = await saved('#save-page');
   assert.equal(name, 'case-calculation.html');
-  assert.ok(calculation.includes('<h1>Pulling calculation') && calculation.includes('under the sewer'));
-  assert.deepEqual(heard, []);
+  const words = calculation.toString();
+  assert.ok(words.includes('<h1>Pulling calculation') && words.includes('under the sewer'));
+  const verdict = await page.textContent('#words');
+
+  // the case and its file are one archive, which opens on another desk
+  const [archive, bytes] = await saved('#save');
+  assert.equal(archive, 'case.zip');
+  const inside = unzipSync(bytes);
+  assert.deepEqual(Object.keys(inside).sort(), ['case.yaml', 'route-table.csv']);
+  assert.equal(Buffer.from(inside['case.yaml']).toString(), text);
+  assert.deepEqual(Buffer.from(inside['route-table.csv']), readFileSync(join(ROOT, 'cases/theory/route-table.csv')));
+  const other = await desk();
+  await other.page.setInputFiles('#file', { name: archive, mimeType: 'application/zip', buffer: bytes });
+  await other.page.waitForFunction((one) => window.hawserDesk.current() === one, text);
+  await settled(other.page);
+  assert.equal(await other.page.textContent('#words'), verdict);
+
+  // the draft has the file as well
+  await other.page.reload();
+  await settled(other.page);
+  assert.equal(await textOf(other.page), text);
+  assert.equal(await other.page.textContent('#words'), verdict);
+
+  // a case that names a file of the same name does not get that of the case before, and says which file is missing
+  await other.page.setInputFiles('#file', { name: 'b.yaml', mimeType: 'text/yaml', buffer: Buffer.from(text) });
+  await other.page.waitForFunction(() => document.getElementById('name').textContent === 'b.yaml');
+  await settled(other.page);
+  assert.equal(await other.page.textContent('#verdict'), 'NOT A CASE YET');
+  const [chooser] = await Promise.all([
+    other.page.waitForEvent('filechooser'),
+    other.page.getByRole('button', { name: 'Choose the file route-table.csv' }).click(),
+  ]);
+  await chooser.setFiles(join(ROOT, 'cases/theory/route-table.csv'));
+  await other.page.waitForFunction(() => document.getElementById('verdict').textContent !== 'NOT A CASE YET');
+  await settled(other.page);
+  assert.equal(await other.page.textContent('#words'), verdict);
+  assert.deepEqual([...heard, ...other.heard], []);
+  await other.close();
   await close();
 });
 

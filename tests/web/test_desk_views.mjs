@@ -93,6 +93,56 @@ test('a place that is pointed at is marked in table, text, plan, profile, tensio
   await close();
 });
 
+test('a clothoid and a parabola among the pieces have columns in the table and handles for their lengths', async () => {
+  const { page, heard, close } = await desk();
+  const given = read('cases/spiral-drift.yaml');
+  await put(page, given);
+  await page.click('#tab-route');
+  assert.equal(await page.getByLabel('Clothoid, piece 2').inputValue(), '5 m');
+  assert.equal(await page.getByLabel('Radius at its end, piece 2').inputValue(), '8 m');
+  assert.equal(await page.getByLabel('Slope at its end, piece 5').inputValue(), '0 deg');
+  // what a piece cannot have is no field
+  assert.equal(await page.getByLabel('Bend, piece 2').isDisabled(), true);
+  assert.equal(await page.getByLabel('Turns, piece 1').isDisabled(), true);
+  for (const [place, name, from, to] of [
+    ['plan', 'in: length', 'clothoid: 5 m, end', 'clothoid: 5.1 m, end'],
+    ['profile', 'levels out: length', 'parabola: 4 m', 'parabola: 4.1 m'],
+  ]) {
+    await page.getByRole('slider', { name, exact: true }).focus();
+    await page.keyboard.press('ArrowRight');
+    await settled(page);
+    assert.equal(await textOf(page), given.replace(from, to), place);
+    await page.keyboard.press('Control+z');
+    await settled(page);
+  }
+  await drag(page, 'in: length', 15, 0);
+  const [line, ...others] = differing(given, await textOf(page));
+  assert.match(line, /^- \{name: in, clothoid: (?!5 m)[\d.]+ m, end_radius: 8 m, plane: left\}$/);
+  assert.deepEqual(others, []);
+  assert.deepEqual(heard, []);
+  await close();
+});
+
+test('the first screen has the verdicts of its examples; the table of variants fits at 900 px', async () => {
+  const { page, close } = await desk({ start: true, viewport: { width: 900, height: 900 } });
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('#start .chip')].every((one) => one.textContent !== ''),
+  );
+  const chips = await page.locator('#start .chip').allTextContents();
+  assert.deepEqual(chips, ['NOT SAFE', 'SAFE', 'NOT SAFE', 'NOT JUDGED', 'NOT SAFE', 'SAFE']);
+  // any straight of the first example may be made shorter
+  await page.getByRole('button', { name: /A cable in a duct/ }).click();
+  await page.getByLabel('Straight, piece 1').fill('20 m');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.equal(await page.textContent('#verdict'), 'SAFE ONLY IF', await page.textContent('#words'));
+  await page.click('#tab-variants');
+  await settled(page);
+  const wide = page.locator('#variants .wide');
+  assert.ok(await wide.evaluate((one) => one.scrollWidth <= one.clientWidth));
+  await close();
+});
+
 test('what if: a slider calculates and writes nothing until the button does; undo', async () => {
   const { page, close } = await desk();
   await put(page, duct);

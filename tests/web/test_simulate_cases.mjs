@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
 import { desk, put, read } from './desk.mjs';
@@ -94,13 +94,23 @@ function assertClose(got, expected, most, key, passed) {
   }
 }
 
-// Pulled either way along a level turn the forces are the same: which is "better", and where along a plateau the largest is, is rounding's.
-const TIES = { 'capstan.yaml': /direction$|head_m$/ };
+// Where the two may differ. Pulled either way along a level turn the forces are the same: which is "better", and where along a plateau the
+// largest is, is rounding's. What binds at the longest length is read where the bound fails in its last digit: the browser's rounding finds
+// no limit broken there and names the stiffness (open). A case without a title is called by its file.
+const TIES = {
+  'capstan.yaml': /direction$|head_m$/,
+  'bundles/three-in-a-duct.yaml': /direction$|head_m$/,
+  'routes/tunnel-geojson.yaml': /answers\.(binds|where)$/,
+  'routes/tunnel-gpx.yaml': /answers\.(binds|where)$/,
+  'theory/route-table.yaml': /yaml\.title$/,
+};
 
-test('theory of every case is what the program says, also where it says that it has none', async () => {
-  const names = readdirSync(join(ROOT, 'cases')).filter((one) => one.endsWith('.yaml'));
+test('theory of every case is what the program says, also where it says that it has none', async (t) => {
+  const all = readdirSync(join(ROOT, 'cases'), { recursive: true });
+  const names = all.filter((one) => one.endsWith('.yaml'));
   const { page, heard, close } = await desk();
-  assert.ok(names.length > 25);
+  assert.ok(names.length > 45);
+  let judged = 0;
   for (const name of names) {
     let said;
     try {
@@ -109,12 +119,17 @@ test('theory of every case is what the program says, also where it says that it 
     } catch {
       said = null;
     }
+    // the files that it may name are beside it
+    const beside = all.filter((one) => dirname(one) === dirname(name) && /\.(csv|dxf|gpx|ifc|xml|geojson)$/.test(one));
     const got = await page.evaluate(
-      (text) => window.hawserDesk.theory(text).then(JSON.parse, () => null),
-      read(`cases/${name}`),
+      ([text, files]) =>
+        window.hawserDesk.hold(files).then(() => window.hawserDesk.theory(text).then(JSON.parse, () => null)),
+      [read(`cases/${name}`), Object.fromEntries(beside.map((one) => [basename(one), read(`cases/${one}`)]))],
     );
+    judged += said ? 1 : 0;
     assertClose(got, said, largest(said, name), name, (key) => TIES[name]?.test(key) ?? false);
   }
+  t.diagnostic(`${names.length} files, ${judged} of them cases that theory calculates`);
   assert.deepEqual(heard, []);
   await close();
 });

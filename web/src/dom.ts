@@ -39,8 +39,8 @@ export function svg<K extends keyof SVGElementTagNameMap>(
 const NAME_MAX = 160;
 
 /** A name from the case: kept apart from the direction of the text around it, cut where it is longer than a line can be. */
-export function named(text: unknown): HTMLElement {
-  const name = String(text ?? '');
+export function named(text: string | null | undefined): HTMLElement {
+  const name = text ?? '';
   if (name.length <= NAME_MAX) return el('bdi', { class: 'name' }, name);
   return el('bdi', { class: 'name', title: name.slice(0, 2000) }, `${name.slice(0, NAME_MAX)}…`);
 }

@@ -9,7 +9,7 @@ const PATIENCE = 1500;
 /** Resolves when the browser has painted something of the page. */
 const painted = new Promise<void>((resolve) => {
   setTimeout(resolve, PATIENCE);
-  if (!PerformanceObserver.supportedEntryTypes?.includes('paint')) return;
+  if (!PerformanceObserver.supportedEntryTypes.includes('paint')) return;
   new PerformanceObserver(() => resolve()).observe({ type: 'paint', buffered: true });
 });
 

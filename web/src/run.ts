@@ -17,7 +17,7 @@ export function texts(table: Columns | null | undefined, name: string): string[]
 
 /** Whether anything in the column is known. */
 export function known(values: Value[] | null | undefined): values is Value[] {
-  return !!values && values.some((value) => value !== null && value !== undefined);
+  return !!values && values.some((value) => value !== null);
 }
 
 const LIMIT_NAMES: Record<string, string> = {

@@ -38,8 +38,8 @@ export class Store {
   /** Calls the listener at every change of the key until the function that it returns is called. */
   subscribe<K extends keyof State>(key: K, listener: Listener<K>): () => void {
     const listeners = this.listeners.get(key) ?? new Set();
-    listeners.add(listener as Listener<never>);
+    listeners.add(listener);
     this.listeners.set(key, listeners);
-    return () => void listeners.delete(listener as Listener<never>);
+    return () => void listeners.delete(listener);
   }
 }

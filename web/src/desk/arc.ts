@@ -19,9 +19,9 @@ export interface Arc {
   /** Its direction at the end. */
   exit: Spot;
   /** The radius with which its middle would be at the spot, angle and beginning as they are. */
-  radiusAt(to: Spot): number;
+  radiusAt: (to: Spot) => number;
   /** The angle with which the straight behind it would lead through the spot, degrees. */
-  angleAt(to: Spot): number;
+  angleAt: (to: Spot) => number;
 }
 
 /** side: 1 to the left, -1 to the right; the angle in degrees. */

@@ -64,7 +64,9 @@ function mapAt(text: string, at: number): Path {
 function detail(schemas: Schema[]): string {
   const of = <K extends keyof Schema>(key: K) => schemas.find((one) => one[key] !== undefined)?.[key];
   const absent = of('default') ?? of('x-absent');
-  return [of('x-quantity'), absent === undefined ? '' : `default ${String(absent)}`].filter(Boolean).join(', ');
+  return [of('x-quantity'), absent === undefined ? '' : `default ${JSON.stringify(absent).replace(/^"(.*)"$/, '$1')}`]
+    .filter(Boolean)
+    .join(', ');
 }
 
 export function completions(top: Schema): (context: CompletionContext) => CompletionResult | null {

@@ -58,6 +58,17 @@ export function newest<A, B>(
   };
 }
 
+/** From the best verdict to the worst. */
+const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
+
+/** Of several chains that are pulled together the one with the worst verdict; '': the only one. */
+export function worstChain(whole: Theory): { chain: string; one: Theory; chains: number } {
+  const chains = Object.entries(whole.theory ?? { '': whole });
+  const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
+  const [chain, one] = chains.reduce((worst, each) => (rank(each[1]) > rank(worst[1]) ? each : worst));
+  return { chain, one, chains: chains.length };
+}
+
 /** A quantity as people read it; '–': not known. */
 export function quantity(value: number | null | undefined, unit: Unit, us: boolean, significant = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
@@ -68,7 +79,7 @@ export function quantity(value: number | null | undefined, unit: Unit, us: boole
 /** What the text says at a path, as it is written. */
 export function writtenAt(text: string, path: Path): string | undefined {
   const node = nodeAt(parsed(text), path);
-  return node && isScalar(node) ? String(node.source ?? node.value ?? '') : undefined;
+  return node && isScalar(node) ? (node.source ?? '') : undefined;
 }
 
 const UNITS: Record<string, number> = {

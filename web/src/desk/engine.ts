@@ -16,6 +16,9 @@ export class EngineError extends Error {
   }
 }
 
+/** What went wrong, in words. */
+export const messageOf = (why: unknown): string => (why instanceof Error ? why.message : String(why));
+
 export interface Remedy {
   direction: string;
   remedy: string;
@@ -142,14 +145,25 @@ export type Call =
   | 'library'
   | 'words'
   | 'cost'
-  | 'run';
+  | 'run'
+  | 'report';
+
+/** The place of a name that a case gives: the case is in /case, '../x.csv' is beside that folder. */
+export const placeOf = (name: string): string => decodeURIComponent(new URL(name, 'file:///case/').pathname);
+
+/** Folders of the engine's own. */
+const OWN = /^\/(library|web|run|dev|proc|home|tmp)\//;
+
+/** Files by their places. */
+export type Files = ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
   id: number;
   call?: Call;
   args?: (string | number)[];
-  file?: { name: string; bytes: Uint8Array };
+  /** At its place; null: it is taken away. */
+  file?: { place: string; bytes: Uint8Array | null };
   start?: ArrayBuffer;
 }
 export interface Reply {
@@ -158,8 +172,10 @@ export interface Reply {
   fault?: Fault;
   /** What a run shows meanwhile; the answer itself comes later. */
   shown?: Shown;
-  /** The report's page of a run that is over. */
+  /** The report's page of a run that is over; of one that failed, as far as it was. */
   report?: string;
+  /** The folder of a run as it is by now. */
+  kept?: Files;
 }
 
 /** First the report's data of a run that has begun, then its moments. */
@@ -183,8 +199,9 @@ export interface Moment {
 export class Engine {
   private readonly waiting = new Map<number, { done: (text: string) => void; failed: (why: Error) => void }>();
   private last = 0;
-  /** What has been put beside the case: a run takes it along. */
-  readonly files = new Map<string, Uint8Array>();
+  private started: Promise<string> = new Promise(() => undefined);
+  /** What has been put beside the case, by its place: a run takes it along. */
+  files: Files = new Map();
 
   constructor(private readonly worker: Worker) {
     worker.onmessage = (event: MessageEvent<Reply>) => {
@@ -210,13 +227,22 @@ export class Engine {
 
   /** Hands over the module's bytes; the answer comes when it can be called. */
   start(module: ArrayBuffer): Promise<string> {
-    return this.ask({ start: module }, [module]);
+    this.started = this.ask({ start: module }, [module]);
+    return this.started;
   }
 
-  /** Puts a file beside the case. */
-  put(name: string, bytes: Uint8Array): Promise<string> {
-    this.files.set(name, bytes);
-    return this.ask({ file: { name, bytes } });
+  /** These are the files of the case from now on, and no others. */
+  async hold(files: Files): Promise<void> {
+    await this.started;
+    const before = this.files;
+    this.files = new Map([...files].filter(([place]) => !OWN.test(place)));
+    const gone = [...before.keys()].filter((place) => !this.files.has(place));
+    await Promise.all([
+      ...gone.map((place) => this.ask({ file: { place, bytes: null } })),
+      ...[...this.files]
+        .filter(([place, bytes]) => before.get(place) !== bytes)
+        .map(([place, bytes]) => this.ask({ file: { place, bytes } })),
+    ]);
   }
 
   /** A function of web/engine/desk.c by its name. */

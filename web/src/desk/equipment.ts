@@ -27,7 +27,7 @@ export class Equipment {
       this.byRule(),
       el('h3', {}, t('One by one')),
       this.single(),
-      el('h3', {}, t('In the text')),
+      el('h3', {}, t('What the case has')),
       this.written(),
       el('h3', {}, t('Where it stands, with the load pulled forward')),
       this.table(),
@@ -112,7 +112,10 @@ export class Equipment {
       const node = nodeAt(parsed(text), path);
       const items = isSeq(node) ? (node.items as { range?: [number, number, number] }[]) : isMap(node) ? [node] : [];
       items.forEach((item, i) => {
-        const words = text.slice(item.range?.[0] ?? 0, item.range?.[1] ?? 0).replace(/\s+/g, ' ');
+        const words = text
+          .slice(item.range?.[0] ?? 0, item.range?.[1] ?? 0)
+          .replace(/(^|\s)#.*$/gm, '')
+          .replace(/\s+/g, ' ');
         rows.push(
           el(
             'div',

@@ -145,12 +145,14 @@ function pieces(text: string, along: Along): Found {
   const found: Found = [];
   along.pieces.forEach((piece, p) => {
     const item = list.items[piece.listed - 1];
-    if (piece.listed === 0 || !isMap(item)) return;
+    if (piece.listed === 0 || !isMap(item) || along.pieces[p - 1]?.listed === piece.listed) return;
     const path: Path = ['route', 'pieces', piece.listed - 1];
     const name = piece.name || `${t('piece')} ${piece.listed}`;
     if (item.has('straight')) found.push(...straight(text, along, piece, path, name));
+    else if (item.has('clothoid')) found.push(curved(text, along, piece, [...path, 'clothoid'], name, 'plan'));
+    else if (item.has('parabola')) found.push(curved(text, along, piece, [...path, 'parabola'], name, 'profile'));
     else if (item.has('bend') && item.has('radius')) {
-      const plane = String(item.get('plane') ?? '');
+      const plane = writtenAt(text, [...path, 'plane']);
       if (plane === 'left' || plane === 'right') found.push(...level(text, along, p, path, name, plane));
       else if (plane === 'up' || plane === 'down') found.push(...upright(text, along, p, path, name, plane));
     }
@@ -209,6 +211,30 @@ function straight(text: string, along: Along, piece: Piece, path: Path, name: st
     });
   }
   return found;
+}
+
+/** Of a clothoid or a parabola: its length, where it ends. */
+function curved(
+  text: string,
+  along: Along,
+  piece: Piece,
+  path: Path,
+  name: string,
+  view: Handle['view'],
+): Handle | undefined {
+  const end = Math.max(
+    ...along.pieces.filter((one) => one.listed === piece.listed).map((one) => one.s_m + one.length_m),
+  );
+  const at: Spot = view === 'plan' ? spotAt(along, end) : [end, sample(along.s_m, along.z_m, end)];
+  const way = minus(at, spotAt(along, end - piece.length_m / 10));
+  const size = Math.hypot(...way);
+  const amount = (to: Spot): number => (view === 'plan' ? dot(to, way) / size : to[0]);
+  return single(
+    { kind: 'length', view, label: `${name}: ${t('length')}`, at, s: end, path, unit: 'm', amount },
+    text,
+    0.1,
+    1e6,
+  );
 }
 
 /** Of a bend to the left or right: the radius in its middle, the angle on the straight behind it, which it turns. */

@@ -8,23 +8,49 @@ import { yaml } from '@codemirror/lang-yaml';
 import { HighlightStyle, syntaxHighlighting } from '@codemirror/language';
 import { tags } from '@lezer/highlight';
 import { lintGutter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
-import ductText from '../../../docs/tutorial/duct.yaml';
+import ductText from '../../../docs/tutorial/duct-first.yaml';
 import tunnelText from '../../../docs/tutorial/tunnel.yaml';
 import plannerText from '../../../cases/theory/planner.yaml';
 import threeText from '../../../cases/three-in-a-duct.yaml';
 import rollersText from '../../../cases/huangjiahu.yaml';
 import limitsText from '../../../cases/limits.yaml';
+import { el } from '../dom';
 import { Catalogue } from './catalogue';
 import { completions, type Schema } from './complete';
-import { newest, Place, quantity, writtenAt, type Desk } from './desk';
-import { Engine, EngineError, inflated, workerOf, type Along, type Fault, type Remedy, type Theory } from './engine';
+import { newest, Place, quantity, worstChain, writtenAt, type Desk } from './desk';
+import {
+  Engine,
+  EngineError,
+  inflated,
+  messageOf,
+  placeOf,
+  workerOf,
+  type Along,
+  type Fault,
+  type Files,
+  type Remedy,
+  type Theory,
+} from './engine';
 import { Equipment } from './equipment';
+import {
+  CASES,
+  forgetFiles,
+  keepFiles,
+  keptFiles,
+  mainOf,
+  namedBy,
+  packed,
+  placesFor,
+  ROUTES,
+  SHAPES,
+  unpacked,
+} from './files';
 import { Help } from './help';
 import { markedLine, showLine } from './marked_line';
 import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
 import { Simulation } from './simulate';
-import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
+import { nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
 import { Start } from './start';
 import { Strips } from './strips';
 import { Tabs } from './tabs';
@@ -46,10 +72,16 @@ interface Draft {
   text: string;
 }
 const DRAFT = 'hawser-desk-draft';
-const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|shp)$/i;
 
-const part = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
-const text = (id: string): string => part(id).textContent ?? '';
+/** An element of the page, which is of this class. */
+function part<T extends HTMLElement>(id: string, of: new () => T): T;
+function part(id: string): HTMLElement;
+function part(id: string, of: new () => HTMLElement = HTMLElement): HTMLElement {
+  const found = document.getElementById(id);
+  if (!(found instanceof of)) throw new Error(`the page has no ${of.name} "${id}"`);
+  return found;
+}
+const text = (id: string): string => part(id).textContent;
 
 const SETTINGS = 'hawser-desk-settings';
 let us = false;
@@ -122,11 +154,20 @@ function take(doc: string, as: string): void {
   ask();
 }
 
-function open(doc: string, as: string): void {
+/** files: those of the case, by their places. */
+function open(doc: string, as: string, files: Files = new Map()): void {
   if (current() !== saved && !confirm(t('The case has changes that are not saved. Leave them?'))) return;
   say('');
   take(doc, as);
   keep();
+  void hold(files);
+}
+
+/** Other files of the case, which are kept with its draft. */
+async function hold(files: Files): Promise<void> {
+  await engine?.hold(files);
+  await keepFiles(draftKey(), engine?.files ?? files);
+  ask();
 }
 
 function title(): void {
@@ -208,15 +249,19 @@ const word = (code: string): string => t(`verdict ${code}`);
 const plan = new Plan(theDesk, preview);
 const strips = new Strips(theDesk, preview);
 const whatIf = new WhatIf(theDesk, word);
-const variants = new Variants(theDesk, word, open);
+const variants = new Variants(theDesk, word, (doc, as) => open(doc, as, engine?.files));
 const catalogue = new Catalogue(theDesk, () => page);
 const equipment = new Equipment(theDesk);
 const help = new Help(() => schema);
 const begin = new Start({
-  engine: theDesk.engine,
+  engine: () => theDesk.engine(),
   examples: EXAMPLES,
   drafts,
-  open,
+  verdict: word,
+  open: (doc, as, draft) => {
+    if (draft === undefined) open(doc, as);
+    else void keptFiles(draft).then((files) => open(doc, as, files));
+  },
   choose: () => part('file').click(),
 });
 part('plan').append(plan.root, strips.root);
@@ -228,13 +273,13 @@ part('help').append(help.root);
 
 const left = new Tabs(
   {
-    text: part('editor'),
     route: part('route'),
-    values: part('values'),
     duct: part('duct'),
     equipment: part('equipment'),
+    values: part('values'),
+    text: part('editor'),
   },
-  'text',
+  'route',
   () => views(),
 );
 const right = new Tabs(
@@ -289,7 +334,7 @@ function ask(): void {
 
 /** Whether the calculation is that of the text as it stands, and may be handed on. */
 function settle(good: boolean): void {
-  for (const id of ['save-page', 'print']) part<HTMLButtonElement>(id).disabled = !good;
+  for (const id of ['save-page', 'print']) part(id, HTMLButtonElement).disabled = !good;
 }
 
 async function calculate(): Promise<void> {
@@ -313,7 +358,7 @@ async function calculate(): Promise<void> {
       : await engine.page(doc, us, writtenAt(doc, ['job', 'language']) === undefined ? languageNow() : '');
     if (mine === wanted) {
       page = sheet;
-      part<HTMLIFrameElement>('page').srcdoc = sheet;
+      part('page', HTMLIFrameElement).srcdoc = sheet;
       mark();
       settle(true);
       answered();
@@ -340,17 +385,12 @@ function answered(): void {
   void begin.draw();
 }
 
-/** From the best verdict to the worst. */
-const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
-
 /** A sentence of the engine without its verdict, which stands before it. */
 const withoutWord = (sentence: string): string =>
   sentence.replace(/^[A-Z ]+: (.)/, (_, first: string) => first.toUpperCase());
 
 async function showAnswer(whole: Theory, mine: number): Promise<void> {
-  const chains = Object.entries(whole.theory ?? { '': whole });
-  const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
-  const [chain, one] = chains.reduce((worst, each) => (rank(each[1]) > rank(worst[1]) ? each : worst));
+  const { chain, one, chains } = worstChain(whole);
   // whole sentences are translated, and cut behind that: an "only if" is no sentence without its word
   const plainly = [one.verdict_forward, one.verdict_backward];
   const said = languageNumber() ? await engine?.words(plainly, languageNumber()) : plainly.map(withoutWord);
@@ -359,12 +399,14 @@ async function showAnswer(whole: Theory, mine: number): Promise<void> {
   chip.textContent = word(one.verdict_code);
   chip.className = one.verdict_code;
   chip.title = t(`verdict ${one.verdict_code}, help`);
-  const lines = [
-    ...(chain ? [t('Of {1} chains the worst: {2}.', String(chains.length), chain)] : []),
-    `${t('Pulled forward {1} at the winch.', quantity(one.largest_force_N, 'N', us))} ${said?.[0] ?? ''}`,
-    `${t('Pulled back {1}.', quantity(one.backward_largest_force_N, 'N', us))} ${said?.[1] ?? ''}`,
-  ];
-  part('words').textContent = lines.join('\n');
+  const [forward, back] = [one.largest_force_N, one.backward_largest_force_N].map((force) => quantity(force, 'N', us));
+  const way = (words: string, sentence: string | undefined): HTMLElement =>
+    el('p', {}, el('strong', {}, words), ` ${sentence ?? ''}`);
+  part('words').replaceChildren(
+    ...(chain ? [el('p', {}, t('Of {1} chains the worst: {2}.', String(chains), chain))] : []),
+    way(t('Pulled forward {1} at the winch.', forward ?? ''), said?.[0]),
+    way(t('Pulled back {1}.', back ?? ''), said?.[1]),
+  );
   document.title = `${one.title}: ${chip.textContent}`;
   part('remedies').replaceChildren(...(chain ? [] : remedies(one)));
 }
@@ -384,7 +426,12 @@ function remedies(theory: Theory): (HTMLElement | string)[] {
       one.key && one.value !== null ? setValue(current(), pathOf(one.key), next(one)) : undefined,
     );
     if (changes.some((one) => !one)) continue;
-    const words = group.map((one) => `${one.key}: ${next(one)}`).join(', ');
+    const words = group
+      .map((one) => {
+        const now = one.key ? writtenAt(current(), pathOf(one.key)) : undefined;
+        return `${one.key}: ${next(one)}${now === undefined ? '' : ` (${t('now {1}', now)})`}`;
+      })
+      .join(', ');
     const one = button(
       words,
       `${t('Writes it into the case, which is then:')} ${word(group[0]?.verdict_code ?? '')}`,
@@ -393,7 +440,7 @@ function remedies(theory: Theory): (HTMLElement | string)[] {
     one.removeAttribute('aria-label'); // its words say it
     found.push(one);
   }
-  return found.length ? [t('What would do:'), ...found] : [];
+  return found.length ? [t('What would make it safe:'), ...found] : [];
 }
 
 function showFault(why: unknown): void {
@@ -403,16 +450,31 @@ function showFault(why: unknown): void {
   chip.className = 'fault';
   chip.title = '';
   part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, t('line {1}', '$1')) ?? String(why);
-  part('remedies').replaceChildren();
+  const missing = namedBy(current()).filter((place) => !engine?.files.has(place));
+  part('remedies').replaceChildren(
+    ...missing.map((place) => button(t('Choose the file {1}', baseOf(place)), '', () => part('file').click())),
+    ...(fault?.line && left.shown !== 'text'
+      ? [button(t('Show line {1}', String(fault.line)), '', toLine(fault.line))]
+      : []),
+  );
   page = '';
-  part<HTMLIFrameElement>('page').srcdoc = '';
+  part('page', HTMLIFrameElement).srcdoc = '';
   document.title = 'hawser desk';
   mark(fault);
   part('plan').classList.add('stale'); // it is that of the last text that was a case, with the values of this one
   draw(along, true);
 }
 
-/** The engine's message at its line. */
+/** To a line of the text. */
+const toLine = (line: number) => (): void => {
+  left.show('text');
+  view.dispatch({
+    selection: { anchor: view.state.doc.line(Math.min(line, view.state.doc.lines)).to },
+    scrollIntoView: true,
+  });
+  view.focus();
+};
+
 /** The line of the route's piece, from 1 on; 0: none. */
 function markLine(listed: number): void {
   const path = ['pieces', 'points'].map((kind) => ['route', kind, listed - 1]);
@@ -420,6 +482,7 @@ function markLine(listed: number): void {
   showLine(view, node?.range && node.range[0] <= view.state.doc.length ? node.range[0] : -1);
 }
 
+/** The engine's message at its line. */
 function mark(fault?: Fault): void {
   const marks: Diagnostic[] = [];
   if (fault && fault.line > 0 && fault.line <= view.state.doc.lines) {
@@ -431,7 +494,7 @@ function mark(fault?: Fault): void {
 
 // --------------------------------------------------------------------------------------------------------------- files
 
-function download(as: string, content: string, type: string): void {
+function download(as: string, content: BlobPart, type: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = as;
@@ -439,32 +502,73 @@ function download(as: string, content: string, type: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-async function openFile(file: File): Promise<void> {
+/** Files that were chosen together: a case with its own, as an archive or one by one; or those of the case on the desk; or a new route. */
+async function openFiles(chosen: Iterable<File>): Promise<void> {
   begin.close();
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  const named = filesOf(current()).filter((path) => path.split('/').pop() === file.name);
-  if (named.length) {
-    for (const path of named) await engine?.put(path, bytes);
-    say(t('{1}: the case names it.', file.name));
-    ask();
+  const all = await Promise.all(
+    [...chosen].map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })),
+  );
+  const placed = (text: string, files: typeof all): Files =>
+    new Map(files.flatMap(({ name, bytes }) => placesFor(text, name).map((place) => [place, bytes] as const)));
+  const archive = all.find((one) => /\.zip$/i.test(one.name));
+  if (archive) {
+    const set = unpacked(archive.bytes);
+    if (!set) throw new Error(t('{1} has no case in it.', archive.name));
+    open(set.text, set.name, set.files);
     return;
   }
-  if (!ROUTES.test(file.name)) {
-    open(new TextDecoder().decode(bytes), file.name);
+  const asked = (name: string): boolean => namedBy(current()).some((place) => place.endsWith(`/${name}`));
+  const main = mainOf(all.filter((one) => !asked(one.name)));
+  if (main) {
+    open(
+      main.text,
+      main.name,
+      placed(
+        main.text,
+        all.filter((one) => one.name !== main.name),
+      ),
+    );
     return;
   }
-  await engine?.put(file.name, bytes);
-  try {
-    const lines = (await engine?.route(file.name)) ?? [];
-    const good = lines.filter((line) => !line.problem);
-    const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
-    change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file.name)}${only}}`), t('Route'));
-    const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
-    say(`${file.name}: ${kinds}. ${t('Keep the file beside the case: the case refers to it.')}`);
-  } catch (why) {
-    say(why instanceof EngineError ? why.fault.message : String(why));
-  }
+  const shape = all.find((one) => SHAPES.test(one.name));
+  if (shape)
+    throw new Error(
+      t('The desk reads no shapefiles such as {1}. Save the lines as GeoJSON, for example by QGIS.', shape.name),
+    );
+  const other = all.find((one) => !ROUTES.test(one.name) && !CASES.test(one.name));
+  if (other) throw new Error(t('{1} is neither a case nor a route.', other.name));
+  await hold(new Map([...(engine?.files ?? []), ...placed(current(), all)]));
+  for (const { name: file } of all)
+    if (asked(file)) say(t('{1}: the case names it.', file));
+    else await route(file);
 }
+
+/** The line of a file beside the case becomes its route. */
+async function route(file: string): Promise<void> {
+  const lines = (await engine?.route(file)) ?? [];
+  const good = lines.filter((line) => !line.problem);
+  const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
+  change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file)}${only}}`), t('Route'));
+  const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
+  say(`${file}: ${kinds}. ${t('It is kept and saved with the case.')}`);
+}
+
+const opened = (chosen: Iterable<File>): void => void openFiles(chosen).catch((why: unknown) => say(messageOf(why)));
+
+/** The case as a file; with the files that it names, if it names any, as one archive. */
+function save(): void {
+  const words = current().replaceAll('\n', eol);
+  const files = engine?.files ?? new Map();
+  const archive = packed(name, words, files);
+  if (archive) download(`${name.replace(CASES, '')}.zip`, archive, 'application/zip');
+  else download(name, words, 'text/yaml');
+  const missing = namedBy(words).filter((place) => !files.has(place));
+  say(missing.length ? t('{1} is not in it: it was not opened here.', missing.map(baseOf).join(', ')) : '');
+  saved = current();
+  title();
+}
+
+const baseOf = (place: string): string => place.slice(place.lastIndexOf('/') + 1);
 
 // ---------------------------------------------------------------------------------------------------------- the screen
 
@@ -478,30 +582,26 @@ function wire(): void {
     download,
   });
   part('new').addEventListener('click', () => begin.show());
-  const input = part<HTMLInputElement>('file');
+  const input = part('file', HTMLInputElement);
   part('open').addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
-    for (const file of input.files ?? []) void openFile(file);
+    opened([...(input.files ?? [])]);
     input.value = '';
   });
-  part('save').addEventListener('click', () => {
-    download(name, current().replaceAll('\n', eol), 'text/yaml');
-    saved = current();
-    title();
-  });
+  part('save').addEventListener('click', save);
   part('save-page').addEventListener('click', () =>
-    download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part<HTMLIFrameElement>('page').srcdoc, 'text/html'),
+    download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part('page', HTMLIFrameElement).srcdoc, 'text/html'),
   );
-  part('print').addEventListener('click', () => part<HTMLIFrameElement>('page').contentWindow?.print());
+  part('print').addEventListener('click', () => part('page', HTMLIFrameElement).contentWindow?.print());
   part('units').addEventListener('change', () => {
-    us = part<HTMLSelectElement>('units').value === 'us';
+    us = part('units', HTMLSelectElement).value === 'us';
     remember();
     views();
     draw(along, true);
     ask();
   });
   part('language').addEventListener('change', () => {
-    chosen = part<HTMLSelectElement>('language').value as Language;
+    chosen = part('language', HTMLSelectElement).value as Language;
     location.hash = ''; // what is chosen now wins over the address
     remember();
     speak(chosen);
@@ -510,6 +610,7 @@ function wire(): void {
   part('wipe').addEventListener('click', () => {
     try {
       localStorage.removeItem(draftKey());
+      void forgetFiles(draftKey());
       forgetVariants();
       say(t('The draft and the variants that this browser kept are gone.'));
     } catch {
@@ -537,7 +638,7 @@ function wire(): void {
     (event) => {
       event.preventDefault();
       event.stopPropagation(); // the editor would insert the file's text
-      for (const file of event.dataTransfer?.files ?? []) void openFile(file);
+      opened([...(event.dataTransfer?.files ?? [])]);
     },
     true,
   );
@@ -578,14 +679,14 @@ function settings(): void {
   } catch {
     // as above
   }
-  part<HTMLSelectElement>('units').value = us ? 'us' : 'si';
+  part('units', HTMLSelectElement).value = us ? 'us' : 'si';
 }
 
 /** Everything on the desk in a language. */
 function speak(language: Language): void {
   setLanguage(language);
   translate(document);
-  part<HTMLSelectElement>('language').value = language;
+  part('language', HTMLSelectElement).value = language;
   part('page').title = t('The calculation');
   part('wipe').title = t('What you write is kept in this browser until you do this');
   begin.words();
@@ -617,9 +718,11 @@ async function start(): Promise<void> {
   const first = given ?? { name: 'case.yaml', text: ductText };
   take(first.text, first.name);
   const later = before?.text && before.text !== current();
+  let drafted = !given && !!before;
   if (later && (!given || confirm(t('This browser has a draft of {1} that differs. Go on with it?', first.name)))) {
     take(before.text, before.name);
     saved = ''; // nobody has saved it
+    drafted = true;
     title();
   }
   speak(languageOf());
@@ -627,6 +730,7 @@ async function start(): Promise<void> {
   say(t('The engine is starting.'));
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
+  if (drafted) await engine.hold(await keptFiles(draftKey()));
   say('');
   ready = true;
   schema = JSON.parse(await engine.call('schema')) as Schema;
@@ -652,10 +756,13 @@ Object.assign(window, {
       views();
     },
     cursor: (line: number) => {
+      left.show('text');
       view.dispatch({ selection: { anchor: view.state.doc.line(line).to } });
       view.focus();
     },
     theory: (doc: string) => engine?.call('theory', doc, 'all'),
+    hold: (files: Record<string, string>) =>
+      hold(new Map(Object.entries(files).map(([name, words]) => [placeOf(name), new TextEncoder().encode(words)]))),
   },
 });
 

@@ -7,7 +7,7 @@ import type { Along, Stand } from './engine';
 import { handles, nearest, spotAt, type Handle, type Spot } from './handles';
 import { t } from './words';
 
-const HIGH = 270;
+const HIGH = 220;
 const NAMED = 24;
 
 /** What is to be seen: px a metre, and the place in the middle. */
@@ -89,7 +89,7 @@ export class Plan {
     private readonly desk: Desk,
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
-    this.drawing = svg('svg', { class: 'plan', height: HIGH, tabindex: 0, role: 'group' }) as SVGSVGElement;
+    this.drawing = svg('svg', { class: 'plan', height: HIGH, tabindex: 0, role: 'group' });
     const tool = (label: string, title: string, action: () => void): HTMLElement =>
       el(
         'button',

@@ -1,8 +1,9 @@
 /** The screen Simulate: what a run will take, the run while it is computed, its report. It goes on while the desk is used. */
 import { el } from '../dom';
+import type { ReportData } from '../data';
 import type { Live, live } from '../live';
-import { EngineError, inflated, type Engine, type Moment } from './engine';
-import { Run, Stopped } from './run_worker';
+import { inflated, messageOf, type Engine, type Moment } from './engine';
+import { Run, Stopped, type RunParts } from './run_worker';
 import { t } from './words';
 
 export interface Desk {
@@ -10,7 +11,7 @@ export interface Desk {
   current(): string;
   name(): string;
   us(): boolean;
-  force(newtons: number): string;
+  force: (newtons: number) => string;
   download(name: string, content: string, type: string): void;
 }
 
@@ -31,10 +32,18 @@ const livePage = (): string =>
   `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>run</title><style>${text('report-style')}</style></head>` +
   `<body><main id="live"></main><script>${text('report-script')}</script></body></html>`;
 
+/** The report of a run that has not come to its end; '': there is nothing that it could be made of. */
+const unfinished = (parts: RunParts): Promise<string> =>
+  new Run(parts, { call: 'report', args: [] }).done.then(
+    (end) => end.report,
+    () => '',
+  );
+
 export class Simulation {
   private readonly opener: HTMLButtonElement;
   private readonly root: HTMLElement;
   private readonly status = el('p', { role: 'status', id: 'run-status' });
+  private readonly about = el('p', { class: 'about' });
   private readonly estimate = el('p', { id: 'run-estimate' });
   private readonly stale = el('p', { id: 'run-stale' });
   private readonly bar = el('progress', { max: 1, value: 0, hidden: true });
@@ -53,8 +62,9 @@ export class Simulation {
 
   constructor(private readonly desk: Desk) {
     this.opener = document.getElementById('simulate') as HTMLButtonElement;
-    const button = (onclick: () => void): HTMLButtonElement => el('button', { type: 'button', onclick });
-    this.startButton = button(() => void this.start());
+    const button = (onclick: () => void, kind = ''): HTMLButtonElement =>
+      el('button', { type: 'button', class: kind, onclick });
+    this.startButton = button(() => void this.start(), 'first');
     this.stopButton = button(() => this.run?.stop());
     this.saveButton = button(() =>
       desk.download(`${this.ran?.name.replace(/\.ya?ml$/, '') ?? 'run'}-report.html`, this.frame.srcdoc, 'text/html'),
@@ -74,6 +84,7 @@ export class Simulation {
         this.printButton,
         this.bar,
       ),
+      this.about,
       this.estimate,
       this.status,
       this.stale,
@@ -91,6 +102,9 @@ export class Simulation {
   words(): void {
     this.root.setAttribute('aria-label', t('Simulation'));
     this.frame.title = t('The run');
+    this.about.textContent = t(
+      'A simulation moves the cable step by step: it adds to theory what rollers, sag, stiffness and starting do. Start it; the desk can be used meanwhile.',
+    );
     this.back.textContent = t('Back to the case');
     this.startButton.textContent = t('Start');
     this.stopButton.textContent = t('Stop');
@@ -133,7 +147,7 @@ export class Simulation {
             );
       this.startButton.disabled = !!this.run;
     } catch (why) {
-      this.estimate.textContent = why instanceof EngineError ? why.fault.message : String(why);
+      this.estimate.textContent = messageOf(why);
     }
   }
 
@@ -146,7 +160,8 @@ export class Simulation {
     this.status.textContent = t('The engine is starting.');
     this.shows = this.last = this.most = null;
     this.frame.hidden = true; // what is in it is of another run
-    const encoded = (id: string): Uint8Array => new TextEncoder().encode(text(id));
+    this.about.hidden = true;
+    const encoded = (id: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text(id));
     const files = new Map(desk.engine()?.files ?? []);
     files.set('/web/report.js', encoded('report-script'));
     files.set('/web/report.css', encoded('report-style'));
@@ -155,28 +170,34 @@ export class Simulation {
       Uint8Array.from(atob(text('report-sum')), (c) => c.charCodeAt(0)),
     );
     const module = await inflated(text('engine'));
-    this.run = new Run(
-      { script: `${text('glue')}\n${text('worker')}`, module, files },
-      this.ran.text,
+    const parts = { script: `${text('glue')}\n${text('worker')}`, module, files };
+    const run = new Run(
+      parts,
+      { call: 'run', args: [this.ran.text] },
       (data) => this.begun(data),
       (moment) => this.moment(moment),
     );
+    this.run = run;
     this.bar.value = 0;
     this.buttons();
-    let report = false;
+    let report = '';
     try {
-      const end = await this.run.done;
-      const { verdict } = JSON.parse(end.summary) as { verdict: string };
-      this.frame.hidden = false;
-      this.frame.srcdoc = end.report;
-      this.status.textContent = t('By the run: {1}', verdict);
-      report = true;
+      const end = await run.done;
+      report = end.report;
+      this.status.textContent = end.fault
+        ? end.fault.message
+        : t('By the run: {1}', (JSON.parse(end.summary) as { verdict: string }).verdict);
     } catch (why) {
-      this.status.textContent =
-        why instanceof Stopped ? this.stopped() : why instanceof EngineError ? why.fault.message : String(why);
+      this.status.textContent = why instanceof Stopped ? this.stopped() : messageOf(why);
+      this.stopButton.disabled = true;
+      if (run.kept.size) report = await unfinished({ ...parts, files: new Map([...files, ...run.kept]) });
+    }
+    if (report) {
+      this.frame.hidden = false;
+      this.frame.srcdoc = report;
     }
     this.run = null;
-    this.buttons(report);
+    this.buttons(!!report);
   }
 
   /** What there is to say of a run that was stopped. */
@@ -184,7 +205,7 @@ export class Simulation {
     const { last, most } = this;
     if (!last || !most) return t('Stopped before anything was computed.');
     return t(
-      'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. A run that is stopped has no verdict and no report; what was computed until then is below.',
+      'Stopped at {1} s of {2} s. Until then the winch pulled {3} at most, at {4} s. The report is of what was computed until then: it is no verdict of the whole pull.',
       last.time.toFixed(2),
       last.end.toFixed(0),
       this.desk.force(most.force),
@@ -197,11 +218,16 @@ export class Simulation {
     const run = this.run;
     this.frame.onload = () => {
       this.frame.onload = null;
-      const shown = this.frame.contentWindow as ShowsRuns | null;
+      const shown: ShowsRuns | null = this.frame.contentWindow;
       const root = shown?.document.getElementById('live');
       const dark = matchMedia('(prefers-color-scheme: dark)').matches;
       if (run !== this.run || !root || !shown?.hawserLive) return;
-      const made = shown.hawserLive(root, JSON.parse(data), this.desk.us() ? 'us' : 'si', dark ? 'dark' : 'light');
+      const made = shown.hawserLive(
+        root,
+        JSON.parse(data) as ReportData,
+        this.desk.us() ? 'us' : 'si',
+        dark ? 'dark' : 'light',
+      );
       this.shows = made;
       if (this.last) made.add(this.last);
     };

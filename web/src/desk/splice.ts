@@ -114,7 +114,9 @@ export function removeKey(text: string, path: Path): Change | undefined {
   const begin = (own?.key as Node | undefined)?.range?.[0];
   const end = ((own?.value ?? own?.key) as Node | undefined)?.range?.[1];
   if (begin === undefined || end === undefined) return undefined;
-  const taken = (data: Data): void => void delete dataAt(data, path.slice(0, -1))[key];
+  const taken = (data: Data): void => {
+    Reflect.deleteProperty(dataAt(data, path.slice(0, -1)), key);
+  };
   if (!map.flow) {
     const line = text.lastIndexOf('\n', begin - 1) + 1;
     return only(text, { from: line, to: Math.min(lineEnd(text, end) + 1, text.length), insert: '' }, taken);
@@ -182,7 +184,12 @@ export function removeItem(text: string, path: Path, i: number): Change | undefi
 
 /** Texts of the case that may be names of files: they are paths from where the case is. */
 export function filesOf(text: string): string[] {
-  const data = parsed(text).toJS() as Data | null;
+  let data: Data | null;
+  try {
+    data = parsed(text).toJS() as Data | null;
+  } catch {
+    return []; // it is no YAML yet
+  }
   const texts = (value: unknown): string[] =>
     typeof value === 'string' ? [value] : value && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
   return [data?.['route'], data?.['drawing'], data?.['include']].flatMap(texts);

@@ -36,7 +36,7 @@ class Strip {
     private readonly title: string,
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
-    this.drawing = svg('svg', { class: 'strip', height: high, tabindex: 0, role: 'group' }) as SVGSVGElement;
+    this.drawing = svg('svg', { class: 'strip', height: high, tabindex: 0, role: 'group' });
     this.drags = new Drags(
       desk,
       { root: this.drawing, spot: (event) => this.spot(event), pixel: (spot) => this.pixel(spot) },
@@ -170,7 +170,7 @@ class Strip {
         return svg('text', { x: at.toFixed(1), y: room + 15, 'text-anchor': 'middle' }, acrossLabels[i]);
       }),
       svg('text', { x: 4, y: 15, class: 'unit' }, symbol),
-      svg('text', { x: this.wide - 2, y: room + 15, 'text-anchor': 'end', class: 'unit' }, metres.symbol),
+      svg('text', { x: 4, y: room + 15, class: 'unit' }, metres.symbol),
       ...legend,
     ];
   }
@@ -188,9 +188,9 @@ export class Strips {
     preview: (text: string | null, spot: Spot | null) => void,
   ) {
     this.strips = [
-      new Strip(desk, 104, 'Profile', preview),
-      new Strip(desk, 160, 'Tension', preview),
-      new Strip(desk, 120, 'Sidewall pressure', preview),
+      new Strip(desk, 84, 'Profile', preview),
+      new Strip(desk, 140, 'Tension', preview),
+      new Strip(desk, 100, 'Sidewall pressure', preview),
     ];
     const names = ['Profile', 'Tension at speed, the route full of cable', 'Sidewall pressure at speed'];
     this.root = el(
@@ -256,7 +256,7 @@ export class Strips {
     const piece = along.pieces.find((one) => s >= one.s_m && s <= one.s_m + one.length_m);
     this.reading.textContent = [
       `${quantity(s, 'm', us)}${piece?.name ? ` (${piece.name})` : ''}`,
-      `${t('height')} ${quantity(at(along.z_m), 'm', us)}`,
+      `${t('height')} ${quantity(Math.round(1e3 * at(along.z_m)) / 1e3, 'm', us)}`,
       `${t('pulled forward')} ${quantity(at(along.forward_N), 'N', us)}, ${quantity(at(along.forward_sidewall_N_per_m), 'N/m', us)}`,
       `${t('pulled back')} ${quantity(at(along.backward_N), 'N', us)}, ${quantity(at(along.backward_sidewall_N_per_m), 'N/m', us)}`,
     ].join(' · ');

@@ -5,7 +5,7 @@ import { addValue, parsed, pathOf, setValue, type Path } from './splice';
 import { about, absent, type Schema } from './complete';
 import type { Editing } from './desk';
 import { field } from './route';
-import { t } from './words';
+import { languageNow, t } from './words';
 
 interface Leaf {
   path: Path;
@@ -13,7 +13,7 @@ interface Leaf {
 }
 
 function leaves(node: unknown, path: Path, out: Leaf[]): void {
-  if (isScalar(node)) out.push({ path, value: String(node.source ?? node.value ?? '') });
+  if (isScalar(node)) out.push({ path, value: node.source ?? '' });
   else if (isMap(node))
     for (const pair of node.items)
       if (isScalar(pair.key)) leaves(pair.value, [...path, pair.key.value as string | number], out);
@@ -50,6 +50,7 @@ export function valuesView(place: HTMLElement, editing: Editing, schema: Schema 
     const help = schema ? about(schema, path) : '';
     label.title = help;
     label.addEventListener('focusin', () => (said.textContent = `${path.join('.')}: ${help || '–'}`));
+    if (help && languageNow() === 'en') text.append(el('small', {}, help.split('. ')[0] ?? ''));
     label.append(
       text,
       field(path.join('.'), value, '', (next) =>

@@ -1,10 +1,12 @@
 /** Variants: texts that are kept beside the case, with what theory says of each: the table for the meeting. */
 import { el } from '../dom';
 import { quantity, type Desk } from './desk';
-import type { Limit, Theory } from './engine';
+import { messageOf, type Limit, type Theory } from './engine';
 import { t } from './words';
 
 const KEPT = 'hawser-desk-variants';
+
+const NAMES = ['Variant', 'Verdict', 'Pulled forward', 'Pulled back', 'Sidewall pressure', 'Worst place'];
 
 interface Variant {
   name: string;
@@ -80,14 +82,13 @@ export class Variants {
   }
 
   private head(tools: boolean): HTMLElement {
-    const names = ['Variant', 'Verdict', 'Pulled forward', 'Pulled back', 'Sidewall pressure', 'Worst place'];
     return el(
       'thead',
       {},
       el(
         'tr',
         {},
-        ...names.map((one) => el('th', { scope: 'col' }, t(one))),
+        ...NAMES.map((one) => el('th', { scope: 'col' }, t(one))),
         tools && el('th', { scope: 'col', class: 'tools' }, t('Actions')),
       ),
     );
@@ -102,13 +103,16 @@ export class Variants {
     const limit = worst(theory);
     const margin = limit?.margin ?? 0;
     const left = t(margin < 0 ? '{1} over' : '{1} left', `${Math.abs(100 * margin).toFixed(1)} %`);
+    // on a narrow screen each cell has its column's name before it
+    const cell = (i: number, words: string, kind = ''): HTMLElement =>
+      el('td', { class: kind, 'data-name': t(NAMES[i] ?? '') }, words);
     return [
       el('th', { scope: 'row' }, label),
-      el('td', { class: `mark ${theory.verdict_code}` }, this.verdict(theory.verdict_code)),
-      el('td', {}, quantity(theory.largest_force_N, 'N', us)),
-      el('td', {}, quantity(theory.backward_largest_force_N, 'N', us)),
-      el('td', {}, quantity(theory.max_sidewall_N_per_m, 'N/m', us)),
-      el('td', {}, limit ? `${limit.where} – ${t(`limit ${limit.name}`)}: ${left}` : '–'),
+      cell(1, this.verdict(theory.verdict_code), `mark ${theory.verdict_code}`),
+      cell(2, quantity(theory.largest_force_N, 'N', us)),
+      cell(3, quantity(theory.backward_largest_force_N, 'N', us)),
+      cell(4, quantity(theory.max_sidewall_N_per_m, 'N/m', us)),
+      cell(5, limit ? `${limit.where} – ${t(`limit ${limit.name}`)}: ${left}` : '–'),
     ];
   }
 
@@ -140,10 +144,7 @@ export class Variants {
   private async calculate(texts: string[]): Promise<void> {
     const unknown = texts.filter((text) => !this.known.has(text));
     for (const text of unknown)
-      this.known.set(
-        text,
-        await (this.desk.engine()?.theory(text) ?? Promise.reject(new Error())).catch((why: Error) => why.message),
-      );
+      this.known.set(text, await (this.desk.engine()?.theory(text) ?? Promise.reject(new Error())).catch(messageOf));
     const rows = [...this.root.querySelectorAll('tbody tr')];
     texts.forEach((text, i) => {
       const row = rows[i];
@@ -171,6 +172,7 @@ export class Variants {
     range.selectNode(table);
     chosen?.addRange(range);
     // the only way that a page from disk has in every browser
+    // eslint-disable-next-line @typescript-eslint/no-deprecated -- see above
     const good = document.execCommand('copy');
     chosen?.removeAllRanges();
     table.remove();

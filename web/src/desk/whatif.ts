@@ -48,14 +48,15 @@ function knobs(text: string): Knob[] {
   const walk = (node: unknown, path: Path, name: string): void => {
     if (isScalar(node)) {
       const kind = KINDS.find((one) => one.is.test(path.join('.')));
-      const written = String(node.source ?? node.value ?? '');
+      const written = node.source ?? '';
       const one = read(written);
       if (!kind || !one) return;
       const [least, most, step] = kind.range(one.value);
       const label = `${t(kind.label)}${name ? `, ${name}` : ''} (${path.join('.')})`;
       found.push({ path, label, written, ...one, least, most, step });
     } else if (isMap(node)) {
-      const own = String((node as { get(key: string): unknown }).get('name') ?? name);
+      const label = node.get('name', true);
+      const own = isScalar(label) ? (label.source ?? '') : name;
       for (const pair of node.items) if (isScalar(pair.key)) walk(pair.value, [...path, pair.key.value as string], own);
     } else if (isSeq(node)) (node.items as Node[]).forEach((item, i) => walk(item, [...path, i], name));
   };
@@ -100,7 +101,7 @@ export class WhatIf {
         'div',
         { class: 'buttons' },
         el('button', { type: 'button', onclick: () => this.write() }, t('Write into the case')),
-        el('button', { type: 'button', onclick: () => this.back() }, t('Back to the case')),
+        el('button', { type: 'button', onclick: () => this.back() }, t('Reset the sliders')),
       ),
       rows.length
         ? el('div', { class: 'knobs' }, ...rows)
@@ -171,7 +172,7 @@ export class WhatIf {
         {},
         el('th', { scope: 'row' }, label),
         el('td', {}, now ? of(now) : '–'),
-        el('td', {}, then ? of(then) : this.set.size ? '–' : ''),
+        el('td', {}, then ? of(then) : '–'),
       );
     this.answer.replaceChildren(
       el(

@@ -5,7 +5,13 @@ interface Module {
   FS: {
     mkdir(path: string): void;
     readFile(path: string, options: { encoding: 'utf8' }): string;
+    readFile(path: string): Uint8Array<ArrayBuffer>;
+    readdir(path: string): string[];
+    stat(path: string): { mode: number };
+    isFile(mode: number): boolean;
+    analyzePath(path: string): { exists: boolean };
     mkdirTree(path: string): void;
+    unlink(path: string): void;
     writeFile(path: string, bytes: Uint8Array): void;
   };
   ENV: Record<string, string>;
@@ -36,6 +42,15 @@ function call(module: Module, name: string, args: (string | number)[]): string {
   return text;
 }
 
+/** Hands over the folder of the run. */
+function keep(): void {
+  if (!engine) return;
+  const { FS } = engine;
+  const paths = FS.readdir('/run').map((name) => `/run/${name}`);
+  const kept = new Map(paths.filter((path) => FS.isFile(FS.stat(path).mode)).map((path) => [path, FS.readFile(path)]));
+  postMessage({ id: running, kept }, { transfer: [...kept.values()].map((bytes) => bytes.buffer) });
+}
+
 const broken = (message: string): Fault => ({ status: 5, message, key: '', file: '', line: 0 });
 
 async function answer(request: Request): Promise<Reply> {
@@ -44,6 +59,7 @@ async function answer(request: Request): Promise<Reply> {
     engine = await hawserEngine({
       wasmBinary: request.start,
       onRun: (shown: Shown) => postMessage({ id: running, shown }),
+      onKeep: keep,
       preRun: [(module: Module) => (module.ENV['HAWSER_LIBRARY'] = '/library')],
     });
     engine.FS.mkdir('/case');
@@ -51,18 +67,19 @@ async function answer(request: Request): Promise<Reply> {
   }
   if (!engine) return { id, fault: broken('the engine has not started') };
   if (request.file) {
-    const path = new URL(request.file.name, 'file:///case/').pathname; // '../x.csv' is beside the folder
-    const place = decodeURIComponent(path);
+    const { place, bytes } = request.file;
     engine.FS.mkdirTree(place.slice(0, place.lastIndexOf('/')) || '/');
-    engine.FS.writeFile(place, request.file.bytes);
+    if (bytes) engine.FS.writeFile(place, bytes);
+    else if (engine.FS.analyzePath(place).exists) engine.FS.unlink(place);
     return { id };
   }
   running = id;
   const text = call(engine, request.call ?? '', request.args ?? []);
-  if (text.startsWith('=') && request.call === 'run')
-    return { id, text: text.slice(1), report: engine.FS.readFile('/report.html', { encoding: 'utf8' }) };
-  if (text.startsWith('=')) return { id, text: text.slice(1) };
-  return { id, fault: text ? (JSON.parse(text.slice(1)) as Fault) : broken('there is not enough memory') };
+  const report = engine.FS.analyzePath('/report.html').exists
+    ? { report: engine.FS.readFile('/report.html', { encoding: 'utf8' }) }
+    : {};
+  if (text.startsWith('=')) return { id, text: text.slice(1), ...report };
+  return { id, ...report, fault: text ? (JSON.parse(text.slice(1)) as Fault) : broken('there is not enough memory') };
 }
 
 onmessage = (event: MessageEvent<Request>) => {

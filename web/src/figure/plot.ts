@@ -78,7 +78,7 @@ function axes(spec: FigureSpec, options: PlotOptions, xScale: Scale, yScale: Sca
     {
       ...common,
       label: axisLabel(spec.yLabel, yScale),
-      size: (_chart, values) => 16 + 7 * Math.max(2, ...(values ?? []).map((text) => String(text).length)),
+      size: (_chart, values: string[] | null) => 16 + 7 * Math.max(2, ...(values ?? []).map((text) => text.length)),
       splits: (_c, _i, from, to) => ticks(from, to, Math.max(3, options.height / 55)),
     },
   ];
@@ -115,7 +115,11 @@ export function makePlot(root: HTMLElement, spec: FigureSpec, options: PlotOptio
         points: { size: 7, fill: colours.paper, width: 2 },
       },
       scales: {
-        x: { time: false, range: (_chart, min, max) => (min === null || max === null ? [0, 1] : [min, max]) },
+        x: {
+          time: false,
+          range: (_chart, min: number | null, max: number | null) =>
+            min === null || max === null ? [0, 1] : [min, max],
+        },
         y: { range: yRange },
       },
       axes: axes(spec, options, xScale, yScale),

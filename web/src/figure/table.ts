@@ -38,6 +38,7 @@ async function copy(text: string): Promise<boolean> {
     area.value = text;
     document.body.append(area);
     area.select();
+    // eslint-disable-next-line @typescript-eslint/no-deprecated -- see above
     const done = document.execCommand('copy');
     area.remove();
     return done;

@@ -98,11 +98,11 @@ const ORIGIN: Record<string, string> = {
 };
 
 /** All inputs; of results without them the values that the case did not say itself. */
-function inputRows(inputs: Input[] | null | undefined, assumptions: Assumption[] | undefined): string[][] {
-  const sources = new Map((assumptions ?? []).map(({ key, source }) => [key, source ?? '']));
+function inputRows(inputs: Input[] | null | undefined, assumptions: Assumption[] = []): string[][] {
+  const sources = new Map(assumptions.map(({ key, source }) => [key, source]));
   if (inputs)
     return inputs.map(({ key, value, origin, where }) => [key, value, origin, where || sources.get(key) || '']);
-  return (assumptions ?? []).map(({ key, value, origin, source }) => [key, value, origin, source ?? '']);
+  return assumptions.map(({ key, value, origin, source }) => [key, value, origin, source]);
 }
 
 export const inputsSection: Section = ({ run }) => {
@@ -153,8 +153,7 @@ export const inputsSection: Section = ({ run }) => {
 
 export const aboutSection: Section = ({ run, data, units }) => {
   const { summary } = run;
-  const text = (value: unknown): HTMLElement =>
-    value === undefined || value === null || value === '' ? el('span', {}, UNKNOWN) : named(value);
+  const text = (value: string | undefined): HTMLElement => (value ? named(value) : el('span', {}, UNKNOWN));
   const number = (key: string, unit: Unit): string => show(summary[key] as number | null | undefined, unit, units);
   const facts = [
     fact('Case', text(summary.case)),

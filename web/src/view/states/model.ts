@@ -16,7 +16,7 @@ export interface Model {
   /** What is taken off all coordinates, m. */
   centre: Vec3;
   /** A point of the data about the centre. */
-  at(point: Point): Vec3;
+  at: (point: Point) => Vec3;
   path: Path | null;
   bends: Bend[];
   chain: ChainDef | null;
