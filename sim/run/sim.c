@@ -292,7 +292,7 @@ Sim *sim_free(Sim *s)
     if (!s) return NULL;
     for (int k = 1; k < sim_chains(s); ++k) sim_free(sim_chain(s, k));
     s->together = together_free(s->together);
-    mesh_free(&s->mesh);
+    segment_mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
     peaks_free(&s->peaks);
