@@ -110,6 +110,13 @@ int mesh_add_vertex(MeshBuild *build, const double at[3])
     return m->n_vertices - 1;
 }
 
+int mesh_append_layer(Mesh *mesh, const char *name)
+{
+    char *const own = widen(&mesh->layer_name, mesh->n_layers, sizeof *mesh->layer_name) ? strdup(name) : NULL;
+    if (own) mesh->layer_name[mesh->n_layers++] = own;
+    return own != NULL;
+}
+
 int mesh_add_layer(MeshBuild *build, const char *name)
 {
     Mesh *const m = &build->mesh;
@@ -117,10 +124,8 @@ int mesh_add_layer(MeshBuild *build, const char *name)
     size_t k = hash_of(name, strlen(name)) & (build->n_names - 1);
     for (; build->name[k]; k = (k + 1) & (build->n_names - 1))
         if (!strcmp(m->layer_name[build->name[k] - 1], name)) return build->name[k] - 1;
-    char *const own = widen(&m->layer_name, m->n_layers, sizeof *m->layer_name) ? strdup(name) : NULL;
-    if (!own) return -1;
-    m->layer_name[m->n_layers] = own;
-    build->name[k] = ++m->n_layers;
+    if (!mesh_append_layer(m, name)) return -1;
+    build->name[k] = m->n_layers;
     return m->n_layers - 1;
 }
 
