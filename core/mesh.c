@@ -16,32 +16,33 @@ void mesh_free(Mesh *mesh)
     *mesh = (Mesh){0};
 }
 
-/* (e1 x e2), twice the area with the direction outward, and the corner from which e1 and e2 go. */
-static Vec3 doubled(const Mesh *m, int t, Vec3 *corner)
+static Vec3 vertex_at(const Mesh *m, int v) { return v3(m->vertex[v][0], m->vertex[v][1], m->vertex[v][2]); }
+
+/* Twice the area of the triangle a, b, c, as a vector outward. */
+static Vec3 doubled(const Mesh *m, int a, int b, int c)
 {
-    const double *const a = m->vertex[m->triangle[t][0]], *const b = m->vertex[m->triangle[t][1]],
-                        *const c = m->vertex[m->triangle[t][2]];
-    *corner = v3(a[0], a[1], a[2]);
-    return v3_cross(v3(b[0] - a[0], b[1] - a[1], b[2] - a[2]), v3(c[0] - a[0], c[1] - a[1], c[2] - a[2]));
+    const Vec3 from = vertex_at(m, a);
+    return v3_cross(v3_sub(vertex_at(m, b), from), v3_sub(vertex_at(m, c), from));
+}
+
+static Vec3 doubled_of(const Mesh *m, int t)
+{
+    return doubled(m, m->triangle[t][0], m->triangle[t][1], m->triangle[t][2]);
 }
 
 double mesh_area(const Mesh *mesh)
 {
     double sum = 0;
-    Vec3 corner;
-    for (int t = 0; t < mesh->n_triangles; ++t) sum += v3_norm(doubled(mesh, t, &corner));
+    for (int t = 0; t < mesh->n_triangles; ++t) sum += v3_norm(doubled_of(mesh, t));
     return sum / 2;
 }
 
+/* The first vertex is the origin: a model far from the world's loses no digits. */
 double mesh_volume(const Mesh *mesh)
 {
     double sum = 0;
-    Vec3 corner, origin = V3_ZERO; /* the first vertex: a model far from the origin loses no digits */
-    if (mesh->n_vertices > 0) origin = v3(mesh->vertex[0][0], mesh->vertex[0][1], mesh->vertex[0][2]);
-    for (int t = 0; t < mesh->n_triangles; ++t) {
-        const Vec3 n = doubled(mesh, t, &corner);
-        sum += v3_dot(n, v3_sub(corner, origin));
-    }
+    for (int t = 0; t < mesh->n_triangles; ++t)
+        sum += v3_dot(doubled_of(mesh, t), v3_sub(vertex_at(mesh, mesh->triangle[t][0]), vertex_at(mesh, 0)));
     return sum / 6;
 }
 
@@ -109,6 +110,13 @@ int mesh_add_vertex(MeshBuild *build, const double at[3])
     return m->n_vertices - 1;
 }
 
+int mesh_append_layer(Mesh *mesh, const char *name)
+{
+    char *const own = widen(&mesh->layer_name, mesh->n_layers, sizeof *mesh->layer_name) ? strdup(name) : NULL;
+    if (own) mesh->layer_name[mesh->n_layers++] = own;
+    return own != NULL;
+}
+
 int mesh_add_layer(MeshBuild *build, const char *name)
 {
     Mesh *const m = &build->mesh;
@@ -116,26 +124,40 @@ int mesh_add_layer(MeshBuild *build, const char *name)
     size_t k = hash_of(name, strlen(name)) & (build->n_names - 1);
     for (; build->name[k]; k = (k + 1) & (build->n_names - 1))
         if (!strcmp(m->layer_name[build->name[k] - 1], name)) return build->name[k] - 1;
-    char *const own = widen(&m->layer_name, m->n_layers, sizeof *m->layer_name) ? strdup(name) : NULL;
-    if (!own) return -1;
-    m->layer_name[m->n_layers] = own;
-    build->name[k] = ++m->n_layers;
+    if (!mesh_append_layer(m, name)) return -1;
+    build->name[k] = m->n_layers;
     return m->n_layers - 1;
 }
 
 int mesh_add_triangle(MeshBuild *build, int a, int b, int c, int layer)
 {
     Mesh *const m = &build->mesh;
-    const int point = a == b && b == c;
-    Vec3 corner;
-    if (!point && (a == b || b == c || c == a)) return 0;
+    if (!(a == b && b == c) && !(v3_norm(doubled(m, a, b, c)) > 0)) return 0;
     if (!widen(&m->triangle, m->n_triangles, sizeof *m->triangle) ||
         !widen(&m->layer, m->n_triangles, sizeof *m->layer))
         return -1;
     memcpy(m->triangle[m->n_triangles], (int[3]){a, b, c}, sizeof *m->triangle);
-    if (!point && !(v3_norm(doubled(m, m->n_triangles, &corner)) > 0)) return 0;
     m->layer[m->n_triangles++] = layer;
     return 1;
+}
+
+int mesh_add_polygon(MeshBuild *build, int n, const int corner[], int layer)
+{
+    const Mesh *const m = &build->mesh;
+    Vec3 whole = V3_ZERO;
+    int added = 0;
+    for (int i = 2; i < n; ++i) whole = v3_add(whole, doubled(m, corner[0], corner[i - 1], corner[i]));
+    if (!(v3_norm(whole) > 0)) return 0;
+    const double least = -1e-9 * v3_dot(whole, whole);
+    for (int from = 0; from < n; ++from) {
+        int sees = 1;
+        for (int i = 2; i < n && sees; ++i)
+            sees = v3_dot(doubled(m, corner[from], corner[(from + i - 1) % n], corner[(from + i) % n]), whole) >= least;
+        for (int i = 2; i < n && sees && added >= 0; ++i)
+            added = mesh_add_triangle(build, corner[from], corner[(from + i - 1) % n], corner[(from + i) % n], layer);
+        if (sees) return added < 0 ? -1 : 1;
+    }
+    return -2;
 }
 
 void mesh_build_end(MeshBuild *build)

@@ -30,8 +30,13 @@ typedef struct MeshBuild {
 /* Index of the vertex or layer, added if there is none like it. -1: no memory, or more than MESH_MOST. */
 int mesh_add_vertex(MeshBuild *build, const double at[3]);
 int mesh_add_layer(MeshBuild *build, const char *name);
+/* Adds a layer, even if there is one of that name. 0: no memory. */
+int mesh_append_layer(Mesh *mesh, const char *name);
 /* Adds a triangle: 1; one without an area is left out: 0; -1 as above. Three equal corners are a point of a cloud. */
 int mesh_add_triangle(MeshBuild *build, int a, int b, int c, int layer);
+/* Adds a plane polygon of n corners as triangles from one of them. Returns 1; 0: no area; -1 as above; -2: no corner
+ * sees all others, so that it is left out. */
+int mesh_add_polygon(MeshBuild *build, int n, const int corner[], int layer);
 /* Frees the tables. The mesh stays. */
 void mesh_build_end(MeshBuild *build);
 
