@@ -210,7 +210,7 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     peaks->when = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->when);
     if (!peaks->roller || !peaks->when) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
-    const hawser_status status = clearances_new(&scene->def.environment, &peaks->clear, err);
+    const hawser_status status = clearances_new(&scene->def.environment, true, &peaks->clear, err);
     return status ? status : compression_new(&peaks->pushed, scene, err);
 }
 
