@@ -179,7 +179,7 @@ static hawser_status model_take(CaseReader *r, const CaseNode *node, const Model
     const CaseNode *const file = case_node_key(node, "file"), *const equipment = case_node_key(node, "equipment");
     char where[CASE_PLACE_MAX];
     hawser_error why = {HAWSER_OK, ""};
-    ModelPlace place;
+    ModelPlace place = {0};
     Mesh mesh = {0};
     Survey found = {0};
     hawser_status status = place_find(r, node, in, &place);

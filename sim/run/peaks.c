@@ -608,12 +608,11 @@ static double start_adds(const Scene *scene)
  * bends (LI16). */
 static double start_share(const Scene *scene, double pull)
 {
-    const SceneDef *const def = &scene->def;
     double turned = 0, mu = 0, rest = 1;
     for (int p = 0; p < scene->route.n; ++p)
         if (scene->route.piece[p].kind != ROUTE_STRAIGHT) turned += scene->route.piece[p].angle;
     const int rollers = scene->contact.n_rollers;
-    for (int i = 0; i < rollers + 2 * def->n_surfaces; ++i) {
+    for (int i = 0; i < rollers + scene_surface_laws(scene); ++i) {
         const FrictionLaw *const law =
             i < rollers ? &scene->contact.roller[i].friction : &scene->surfaces.friction[i - rollers];
         if (!(law->mu_d > 0)) continue;
