@@ -468,7 +468,8 @@ static int foot_found(const RoutePoint *before, const RoutePoint *there, double 
     return !(step * step * step * step * bend2 > 1e-20);
 }
 
-double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at)
+/* Newton's iteration for the foot, on any pieces. */
+static double foot_search(const Route *route, Vec3 p, double s)
 {
     RoutePoint there = route_at(route, s);
     for (int it = 0, found = 0; it < 8 && !found; ++it) {
@@ -478,7 +479,46 @@ double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at)
         there = route_at(route, s);
         found = foot_found(&before, &there, step);
     }
-    if (at) *at = there;
+    return s;
+}
+
+/* Foot of a point on a straight or a bend's whole circle, m from the piece's start; a circle has one each turn, and the
+ * one nearest to `near` counts. (R4) */
+static double foot_on(const RoutePiece *p, Vec3 at, double near)
+{
+    const Vec3 off = v3_sub(at, p->start);
+    const double along = v3_dot(off, p->tangent);
+    if (p->kind == ROUTE_STRAIGHT) return along;
+    const double turn = atan2(along, p->radius - v3_dot(off, p->centre));
+    return p->radius * (turn + 2 * M_PI * round((near / p->radius - turn) / (2 * M_PI)));
+}
+
+/* Place of the foot: the search begins on the piece at s and goes to the neighbour on whose side the foot
+ * lies. A foot that each of two neighbours places on the other one is the corner between them. (R4) */
+static double foot_of(const Route *route, Vec3 p, double s)
+{
+    const int last = route->n - 1;
+    for (int i = piece_find(route, s), came = 0;; i += came) {
+        const RoutePiece *const piece = &route->piece[i];
+        if (piece->kind >= ROUTE_CURVE) return foot_search(route, p, s);
+        const double x = foot_on(piece, p, s - piece->s0);
+        if (x < 0 && i == 0) return piece->s0 + fmin(v3_dot(v3_sub(p, piece->start), piece->tangent), 0);
+        if (x > piece->length && i == last) {
+            const RoutePoint end = piece_at(route, piece, piece->length);
+            return route->length + fmax(v3_dot(v3_sub(p, end.position), end.tangent), 0);
+        }
+        const int side = x < 0 ? -1 : x > piece->length;
+        if (!side) return piece->s0 + x;
+        s = side < 0 ? piece->s0 : piece->s0 + piece->length;
+        if (came == -side) return s;
+        came = side;
+    }
+}
+
+double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at)
+{
+    s = foot_of(route, p, s);
+    if (at) *at = route_at(route, s);
     return s;
 }
 

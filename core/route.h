@@ -100,8 +100,7 @@ RoutePoint route_on_piece(const Route *route, int piece, double s);
 RoutePoint route_way_on_piece(const Route *route, int piece, double s);
 /* Curvature at s alone, 1/m. */
 double route_turn(const Route *route, double s);
-/* The foot of the perpendicular from p on the route near the place s (m), by Newton's method; *at (may be NULL) is the
- * route there. (R4) */
+/* The foot of the perpendicular from p on the route near the place s (m); *at (may be NULL) is the route there. (R4) */
 double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at);
 /* Distance by which p moves along the tangent as its foot `at` moves by 1 m: 1 less the curvature toward it. At least
  * 0.1: at a bend's centre every place of the bend is equally near. */

@@ -325,6 +325,8 @@ typedef struct SceneDef {
     OWNED(environment.mesh.layer, environment.mesh.n_triangles)                                                        \
     OWNED(environment.mesh.layer_name, environment.mesh.n_layers)                                                      \
     OWNED(environment.friction, environment.mesh.n_layers)                                                             \
+    OWNED(environment.clear, environment.mesh.n_layers)                                                                \
+    OWNED(environment.near, environment.mesh.n_layers)                                                                 \
     OWNED(conveyors, n_conveyors)                                                                                      \
     OWNED(jams, n_jams)                                                                                                \
     OWNED(script, n_script)                                                                                            \

@@ -247,27 +247,32 @@ def trusted(run):
     return "no: " + ", ".join(failed) if failed else "yes"
 
 
-def experiment_row(label, run):
+def pulls_row(label, run):
     """alpha is the largest of all stations; the drive has its own line in the table because the rope sees it first."""
     pull, st, time = run.summary["pull_force"], run.stations, run.series["time_s"]
     alpha = max(value for value in st["peak_ratio"] if math.isfinite(value))
     behind = max(run.series["tension_304_N"])
     later = max(p for t, p in zip(time, run.series["winch_force_N"]) if t > JOLT)
-    return (label, f"{pull['steady_mean_N']:,.0f}", f"{pull['peak_N']:,.0f}", f"{later:,.0f}", f"{behind:,.0f}", f"{alpha:.2f}",
-            *(overload(run, name) for name in PULLEYS[:3]), trusted(run))
+    return (label, f"{pull['steady_mean_N']:,.0f}", f"{pull['peak_N']:,.0f}", f"{later:,.0f}", f"{behind:,.0f}", f"{alpha:.2f}", trusted(run))
 
 
-EXPERIMENT_HEAD = ("experiment", "steady pull, N", "peak pull, N", "after 0.05 s, N", "peak of the cable behind the eye, N", "alpha",
-                   *(f"pulley {i} ({p}), N" for i, p in enumerate(PULLEYS[:3], 1)), "trusted")
+PULLS_HEAD = ("experiment", "steady pull, N", "peak pull, N", "after 0.05 s, N", "peak of the cable behind the eye, N", "alpha", "trusted")
+
+
+def loads_row(label, run):
+    return (label, f"{run.summary['pull_force']['steady_mean_N']:,.0f}", *(overload(run, name) for name in PULLEYS[:3]), trusted(run))
+
+
+LOADS_HEAD = ("experiment", "steady pull, N", *(f"pulley {i} ({p}), N" for i, p in enumerate(PULLEYS[:3], 1)), "trusted")
 
 
 def experiments(program, group):
-    """Rows of all runs of a group."""
-    rows = []
+    """Rows of all runs of a group: loads of pulleys where the front crosses them, else pulls."""
+    rows, (row, head) = [], (loads_row, LOADS_HEAD) if group == "front" else (pulls_row, PULLS_HEAD)
     for label, settings in EXPERIMENTS[group]:
         with tempfile.TemporaryDirectory() as folder:
-            rows.append(experiment_row(label, run_case(program, folder, settings)))
-    return table_rows(EXPERIMENT_HEAD, rows)
+            rows.append(row(label, run_case(program, folder, settings)))
+    return table_rows(head, rows)
 
 
 def main():

@@ -1,6 +1,6 @@
 /* The map of supports: what holds the cable at each place of the route, and on which sides. It is built once from the
  * definition; unsupported spans, lateral support, uplift, spacings, stretches of friction, the mesh and the rope's
- * bends are queries of it, in theory and in a run. docs/theory/31-theory.md. */
+ * bends are queries of it, in theory and in a run. docs/theory/60-theory.md. */
 #ifndef HAWSER_THEORY_SUPPORTS_H
 #define HAWSER_THEORY_SUPPORTS_H
 

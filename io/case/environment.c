@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "io/case/case_parts.h"
 #include "survey/model.h"
+#include "theory/environment.h"
 
 enum { FILE_MAX = 1000 };
 
@@ -15,7 +16,7 @@ static const char *const ups[] = {"y", "z", NULL};
 typedef struct ModelRecord {
     char file[FILE_MAX];
     double unit, along, turn, friction;
-    int up, contact;
+    int up, contact, clearance;
     Vec3 at, from;
     MarksRule rule;
 } ModelRecord;
@@ -47,6 +48,7 @@ static const CaseKey model_keys[] = {
     {"leave", KEY_LIST, .otherwise = "none", .form = "patterns of names, such as wall*"},
     {"friction", KEY_NUMBER, .otherwise = "the case's", FROM(0, 10), AT(ModelRecord, friction)},
     {"contact", KEY_FLAG, .fallback = "true", AT(ModelRecord, contact)},
+    {"clearance", KEY_FLAG, .fallback = "true", AT(ModelRecord, clearance)},
     {"equipment", KEY_MAP, .otherwise = "none", .form = "what the parts of each pattern of names are",
      .section = &case_drawn_layer},
     MARKS_KEYS(ModelRecord, rule),
@@ -163,11 +165,17 @@ static hawser_status mesh_join(const CaseReader *r, const Mesh *from, const Mode
     mesh_build_end(&build);
     free(vertex);
     to->mesh = build.mesh;
-    double *const friction = realloc(to->friction, ((size_t)to->mesh.n_layers + 1) * sizeof *friction);
+    const size_t n = (size_t)to->mesh.n_layers + 1;
+    double *const friction = realloc(to->friction, n * sizeof *friction);
     if (friction) to->friction = friction;
-    for (int k = before; k < to->mesh.n_layers && friction; ++k) friction[k] = in->contact ? in->friction : -1;
+    bool *const clear = realloc(to->clear, n * sizeof *clear);
+    if (clear) to->clear = clear;
+    for (int k = before; k < to->mesh.n_layers && friction && clear; ++k) {
+        friction[k] = in->contact ? in->friction : -1;
+        clear[k] = in->clearance;
+    }
     to->touched = to->touched || in->contact;
-    if (fine && friction) return HAWSER_OK;
+    if (fine && friction && clear) return HAWSER_OK;
     if (to->mesh.n_triangles < MESH_MOST && to->mesh.n_vertices < MESH_MOST) return error_memory(r->err);
     return error_set(r->err, HAWSER_ERR_INPUT, "%.200s: more than %d triangles in all", file, MESH_MOST);
 }
@@ -179,7 +187,7 @@ static hawser_status model_take(CaseReader *r, const CaseNode *node, const Model
     const CaseNode *const file = case_node_key(node, "file"), *const equipment = case_node_key(node, "equipment");
     char where[CASE_PLACE_MAX];
     hawser_error why = {HAWSER_OK, ""};
-    ModelPlace place = {0};
+    ModelPlace place = {.c = 1};
     Mesh mesh = {0};
     Survey found = {0};
     hawser_status status = place_find(r, node, in, &place);
@@ -241,5 +249,5 @@ hawser_status case_environment_settle(CaseReader *r, const CaseNode *list)
         else if (e->friction[k] < 0)
             e->friction[k] = NAN;
     }
-    return HAWSER_OK;
+    return list ? clearances_of_route(r->def, &r->route, case_largest_diameter(r->def) / 2, r->err) : HAWSER_OK;
 }

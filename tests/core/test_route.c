@@ -173,3 +173,26 @@ TEST(left_inside_a_bend_through_the_vertical)
     check_vec(route_at(&r, r.length).position, v3(0, 0, 4), 1e-15);
     route_clear(&r);
 }
+
+/* The foot of a point beside the route is the place that the point was made from, before the start and past the end
+ * too; a point in front of a bend's centre counts the turn that is near. (R4) */
+TEST(foot_of_a_point)
+{
+    Route r = winding_route();
+    for (double s = -3; s < r.length + 3; s += 0.173) {
+        const RoutePoint at = route_at(&r, s);
+        const Vec3 across = v3_unit(v3_cross(at.tangent, v3(0.3, -0.5, 0.8)));
+        for (double guess = s - 1; guess <= s + 1; guess += 0.4) {
+            RoutePoint there;
+            check_close(route_foot(&r, v3_axpy(at.position, 0.3, across), guess, &there), s, 1e-9);
+            check_vec(there.position, at.position, 1e-9);
+        }
+    }
+    route_clear(&r);
+    const RoutePieceDef twice[] = {bend(4, 3.5 * PI, 0)};
+    assert_int_equal(route_build(&r, 1, twice, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const Vec3 p = v3_scale(1.1, route_at(&r, 2).position);
+    const double first = route_foot(&r, p, 3, NULL);
+    check_close(route_foot(&r, p, 8 * PI + 1, NULL) - first, 8 * PI, 1e-12);
+    route_clear(&r);
+}
