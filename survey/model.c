@@ -67,7 +67,8 @@ static hawser_status facet_add(const SurveyInput *in, MeshBuild *build, const in
 /* Returns the layer of a solid's name, or -2: it is left out; -1: no memory. */
 static int solid_layer(const ModelOptions *o, MeshBuild *build, const char *name)
 {
-    if (model_match(&o->leave, name) >= 0 || (o->take.n && model_match(&o->take, name) < 0)) return -2;
+    const int part = model_match(&o->equipment, name) >= 0;
+    if (model_match(&o->leave, name) >= 0 || (!part && o->take.n && model_match(&o->take, name) < 0)) return -2;
     return model_layer_add(build, name);
 }
 
