@@ -7,6 +7,7 @@
 #include "contact/shape.h"
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
+#include "tests/support/lack.h"
 #include "tests/support/tessellated.h"
 
 enum { NEAR_MOST = 4000, LAYERS = 8 };
@@ -336,5 +337,29 @@ TEST(test_trough)
     check_close(foot[0].distance, 0.02 + 0.04 * sqrt(0.5) - 0.001 * sqrt(0.5), 1e-9);
     check_close(foot[1].distance, 0.02 + 0.04 * sqrt(0.5) + 0.001 * sqrt(0.5), 1e-9);
     facets_free(f);
+    mesh_done(&m);
+}
+
+/* Every allocation fails once: no mesh is built, nothing is left, and the next try succeeds. */
+TEST(test_lack)
+{
+    MeshBuild m = {0};
+    mesh_box(&m, "box", v3(0, 0, 0), v3(1, 1, 1));
+    if (!lack_works()) {
+        mesh_done(&m);
+        skip();
+    }
+    const long live = lack_live();
+    int met = 1, lacked = 0;
+    for (int k = 0; met; ++k) {
+        lack_after(k);
+        Facets *const f = facets_new(&m.mesh, LAW);
+        met = lack_end();
+        assert_true(met || f);
+        lacked += !f;
+        facets_free(f);
+        check_equal(lack_live(), live);
+    }
+    check_between(lacked, 12, 20);
     mesh_done(&m);
 }

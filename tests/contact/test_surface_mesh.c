@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "tests/support/contact_fd.h"
+#include "tests/support/lack.h"
 #include "tests/support/tessellated.h"
 
 enum { N = 12, MESH_LAW = SURFACES_MAX - 1 };
@@ -334,5 +335,40 @@ TEST(test_lists)
     check_equal(s.pairs.near->n, 0);
     check_equal(s.pairs.candidates, 0);
     check_between(s.pairs.near->usable, 0.7, 0.9);
+    mesh_end(&s, &m);
+}
+
+/* Every allocation of the lists fails once: MEMORY, and with memory the forces are the same bits. */
+TEST(test_lack)
+{
+    uint64_t seed = 5;
+    SurfaceScene s;
+    MeshBuild m = {0};
+    surfaces_new(&s, N, 0.5);
+    surfaces_route(&s, 3, WAY, 0);
+    mesh_things(&m, 16);
+    mesh_add(&s, &m.mesh);
+    chain_disturb(&s, GEOMETRY_SMOOTH, 0.02, -0.05, 0.1, &seed);
+    surfaces_refresh(&s);
+    surfaces_forces(&s, 1);
+    double force[N];
+    memcpy(force, s.loads.f[2], sizeof force);
+    int met = lack_works(), lacked = 0;
+    for (int k = 0; met; ++k) {
+        surface_pairs_free(&s.pairs);
+        surface_pairs_init(&s.pairs, 0, s.points.elements);
+        lack_after(k);
+        const hawser_status status = surface_refresh(&s.model, &s.chain, &s.kin, &s.pairs, NULL);
+        met = lack_end();
+        lacked += status != HAWSER_OK;
+        assert_true(met || status == HAWSER_OK);
+        if (status) {
+            assert_int_equal(status, HAWSER_ERR_MEMORY);
+            surfaces_refresh(&s);
+        }
+        surfaces_forces(&s, 1);
+        assert_memory_equal(force, s.loads.f[2], sizeof force);
+    }
+    if (lack_works()) check_above(lacked, 5);
     mesh_end(&s, &m);
 }
