@@ -334,7 +334,7 @@ TEST(test_lists)
     surfaces_refresh(&s);
     check_equal(s.pairs.near->n, 0);
     check_equal(s.pairs.candidates, 0);
-    check_between(s.pairs.near->usable, 0.7, 0.9);
+    check_close(s.pairs.near->usable, 4 * s.model.skin, 1e-15);
     mesh_end(&s, &m);
 }
 

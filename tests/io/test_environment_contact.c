@@ -13,20 +13,21 @@ static hawser_summary run_with(const char *const *settings)
 
 static const char PLANE[] = "{planes: [{name: floor, point: [0, 0, -30 mm], normal: [0, 0, 1]}]}";
 
-/* 500 N + mu 8 kg/m 12 m g on the plane and on the triangles of one height; a step adds to it. */
+/* 500 N + mu 8 kg/m 12 m g on the plane and on the triangles of one height, less the half segment that the winch's
+ * clamp bears (EB3): 1 % of the weight; a step adds to it. */
 TEST(test_floor)
 {
     const double at_tail = 500, rubs = 0.3 * 8 * 12 * 9.80665;
     const hawser_summary plane = run_with((const char *[]){"environment", "[]", "surfaces", PLANE, NULL});
-    const hawser_summary mesh = run_with((const char *[]){"environment.1.layers", "[floor]", NULL});
+    const hawser_summary mesh = run_with((const char *[]){"environment.0.layers", "[floor]", NULL});
     const hawser_summary slick =
-        run_with((const char *[]){"environment.1.layers", "[floor]", "environment.1.friction", "0.1", NULL});
+        run_with((const char *[]){"environment.0.layers", "[floor]", "environment.0.friction", "0.1", NULL});
     const hawser_summary step = run_with(NULL);
     print_message("pull %.5f N on the plane, %.5f N on triangles, %.3f N where mu is 0.1, %.3f N over the step\n",
                   plane.pull_mean_N, mesh.pull_mean_N, slick.pull_mean_N, step.pull_mean_N);
-    check_share(plane.pull_mean_N, at_tail + rubs, 1e-3);
+    check_share(plane.pull_mean_N, at_tail + 0.99 * rubs, 1e-3);
     check_share(mesh.pull_mean_N, plane.pull_mean_N, 1e-6);
-    check_share(slick.pull_mean_N, at_tail + rubs / 3, 1e-3);
+    check_share(slick.pull_mean_N, at_tail + 0.99 * rubs / 3, 1e-3);
     check_equal(plane.planar, 0);
     check_equal(mesh.planar, 0);
 }
@@ -35,7 +36,7 @@ TEST(test_floor)
 TEST(test_nothing_near)
 {
     const hawser_summary alone = run_with((const char *[]){"environment", "[]", "surfaces", PLANE, NULL});
-    const hawser_summary beside = run_with((const char *[]){"environment.1.layers", "[step]", "environment.1.at",
+    const hawser_summary beside = run_with((const char *[]){"environment.0.layers", "[step]", "environment.0.at",
                                                             "[0 m, 5 m, 0 m]", "surfaces", PLANE, NULL});
     print_message("%ld steps and %.9f N, %ld and %.9f N\n", alone.steps, alone.pull_mean_N, beside.steps,
                   beside.pull_mean_N);

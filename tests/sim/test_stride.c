@@ -64,6 +64,8 @@ TEST(test_way_of_an_environment)
     mesh_box(&m, "box", v3(-1, -1, -4), v3(1, 1, -3));
     mesh_build_end(&m);
     def.environment.mesh = m.mesh;
+    def.environment.clear = fixture_array(1, sizeof *def.environment.clear);
+    def.environment.near = fixture_array(1, sizeof *def.environment.near);
     def.environment.friction = fixture_array(1, sizeof *def.environment.friction);
     def.environment.touched = true;
     Rig *const r = rig_make(&def, NULL);
