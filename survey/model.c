@@ -222,7 +222,7 @@ static hawser_status drawing_read(SurveyInput *in, const ModelOptions *o, MeshBu
 /* Kinds of files that `hawser convert` makes a GLB file of, by the ends of their names. */
 static int is_convertible(const char *path)
 {
-    static const char *const ends[] = {".ifc", ".obj", ".ply", ".dae", ".fbx", ".3ds", ".3mf", ".gltf", ".xyz"};
+    static const char *const ends[] = {".ifc", ".obj", ".ply", ".dae", ".fbx", ".3ds", ".3mf", ".xyz"};
     const char *const dot = strrchr(path, '.');
     for (size_t i = 0; dot && i < sizeof ends / sizeof *ends; ++i)
         if (!strcasecmp(dot, ends[i])) return 1;
@@ -252,6 +252,8 @@ static hawser_status kind_read(SurveyInput *in, const ModelOptions *o, MeshBuild
     if (!strncmp(head, "AC10", 4)) return input_error(in, "a DWG drawing, which cannot be read: save it as DXF");
     if (strstr(head, "ISO-10303-21") && dot && (!strcasecmp(dot, ".stp") || !strcasecmp(dot, ".step")))
         return input_error(in, "a STEP file, which cannot be read: save it as STL or GLB by a CAD program");
+    if (dot && !strcasecmp(dot, ".gltf"))
+        return input_error(in, "a model of several files, which cannot be read: save it as one .glb");
     if (is_convertible(in->path))
         return input_error(in,
                            "only GLB, STL and DXF files are read: convert it with `hawser convert %.60s -o "

@@ -247,6 +247,7 @@ TEST(stl_of_both_kinds)
     refused(read_as("solid a\n" FACET("0 0 0", "2 0", "0 3 0"), ".stl", &upward), "without three numbers");
     refused(read_as("solid a\nfacet\nvertex 0 0 0\nendfacet\n", ".stl", &upward), "a facet of 1 corners");
     refused(read_as("ply\n", ".ply", &plain), "convert it with `hawser convert hawser-model");
+    refused(read_as("{\"asset\": 2}", ".gltf", &plain), "save it as one .glb");
     refused(read_as("ISO-10303-21;", ".stp", &plain), "a STEP file");
     refused(read_as("", ".glb", &plain), "is empty");
 }
