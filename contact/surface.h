@@ -283,8 +283,8 @@ int surface_candidate_add(SurfacePairs *pairs, int patch, int e);
 /* Lists of near triangles for the kinematics (EN26), with candidates for the patches of the mesh; part of
  * surface_refresh. 0 without memory. */
 int surface_near_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, SurfacePairs *pairs);
-/* Checks whether a point may have moved farther than the lists allow. */
-int surface_near_stale(const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs);
+/* Checks whether a point may have moved farther than the lists of any of these parts of the chain allow. */
+int surface_near_stale(const Chain *chain, const Kinematics *kin, int parts, const SurfacePairs *const part[]);
 /* Finds the feet of the points of elements from .. to-1 up to `beyond` (m) farther than their radius. */
 void surface_feet(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
                   int from, int to, double beyond);

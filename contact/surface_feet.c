@@ -39,13 +39,14 @@ static int room_for(void **array, int *allocated, int count, size_t each)
     return 1;
 }
 
-/* Distance of the point from the mesh beyond its radius and the bulge, at most `most`. */
-static double free_way(const SurfaceModel *model, Vec3 at, double radius, double most)
+/* Distance of both points of an element from the mesh beyond their radius and the bulge, at most `most`. */
+static double free_way(const SurfaceModel *model, const Vec3 at[SURFACE_POINTS], double radius, double most)
 {
-    double p[3];
+    double p[3], q[3];
     const double close = radius + model->facets->bulge;
-    v3_put(p, at);
-    return triangle_tree_distance(model->facets->tree, p, p, close + most, NULL, NULL) - close;
+    v3_put(p, at[0]);
+    v3_put(q, at[1]);
+    return triangle_tree_distance(model->facets->tree, p, q, close + most, NULL, NULL) - close;
 }
 
 /* How far nothing is looked for: in a round tunnel everything around the cable is at the same distance, and a tree has
@@ -59,12 +60,13 @@ static void points_stand(const SurfaceModel *model, const Chain *chain, const Ki
     line_stand(kin, chain->n, near->stand.p, near->stand.a);
     near->usable = fmin(model->reach, FAR_SKINS * model->skin);
     for (int e = pairs->from; e < pairs->to; ++e) {
+        const double radius = fmax(model->points->radius[0][e], model->points->radius[1][e]);
+        Vec3 at[SURFACE_POINTS];
         for (int q = 0; q < SURFACE_POINTS; ++q) {
-            const Vec3 at = surface_point(model, chain, kin, e, q);
-            v3_store(near->stand.point[q], e, at);
-            if (!(near->usable > model->skin)) continue;
-            near->usable = fmax(model->skin, free_way(model, at, model->points->radius[q][e], near->usable));
+            at[q] = surface_point(model, chain, kin, e, q);
+            v3_store(near->stand.point[q], e, at[q]);
         }
+        if (near->usable > model->skin) near->usable = fmax(model->skin, free_way(model, at, radius, near->usable));
     }
 }
 
@@ -140,10 +142,15 @@ int surface_near_refresh(const SurfaceModel *model, const Chain *chain, const Ki
     return 1;
 }
 
-int surface_near_stale(const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs)
+int surface_near_stale(const Chain *chain, const Kinematics *kin, int parts, const SurfacePairs *const part[])
 {
-    const SurfaceNear *const near = pairs->near;
-    return near && line_moved(chain, kin, near->stand.p, near->stand.a, CONTACT_USABLE * near->usable);
+    double usable = INFINITY;
+    const SurfaceStand *stand = NULL; /* all parts were made at once */
+    for (int p = 0; p < parts && part[p]->near; ++p) {
+        usable = fmin(usable, part[p]->near->usable);
+        stand = &part[p]->near->stand;
+    }
+    return stand && line_moved(chain, kin, stand->p, stand->a, CONTACT_USABLE * usable);
 }
 
 static void foot_put(SurfaceFoot *to, int q, int e, const Foot *foot)

@@ -228,10 +228,9 @@ static hawser_status surfaces_refresh(const Room *room, const Moment *m, hawser_
 static int surfaces_stale(const Room *room, const Moment *m)
 {
     (void)room;
-    int stale = 0;
-    for (int p = 0; p < PARTS; ++p)
-        stale |= surface_near_stale(&m->scene->chain, &m->ws->kin, &m->ws->contact[p].surface);
-    return stale;
+    const SurfacePairs *part[PARTS];
+    for (int p = 0; p < PARTS; ++p) part[p] = &m->ws->contact[p].surface;
+    return surface_near_stale(&m->scene->chain, &m->ws->kin, PARTS, part);
 }
 
 static int surfaces_candidates(const Room *room, const Workspace *ws)

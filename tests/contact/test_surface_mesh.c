@@ -300,7 +300,8 @@ TEST(test_lists)
     for (int step = 0; step < 40; ++step) {
         for (int i = 0; i < N; ++i)
             vec_store(s.kin.p, i, v3_axpy(vec_load(s.kin.p, i), 0.001, fixture_vector(&seed, 1)));
-        const int stale = surface_near_stale(&s.chain, &s.kin, &s.pairs);
+        const SurfacePairs *const part = &s.pairs;
+        const int stale = surface_near_stale(&s.chain, &s.kin, 1, &part);
         if (stale) break;
         surfaces_forces(&s, 1);
         active += s.pairs.active;
