@@ -308,6 +308,26 @@ TEST(run_away)
     assert_string_equal(text, "NOT SAFE: 1 of 1 limits broken: a brake of 12 kN more");
 }
 
+/* An overlap breaks a clearance whose bound is 0, where a margin relative to the bound has no meaning; it was 1, held.
+ */
+TEST(overlap_is_broken)
+{
+    LimitsDef def = given();
+    hawser_limit out[HAWSER_LIMITS_MAX];
+    for (int k = 0; k < 3; ++k) {
+        static const double value[] = {-0.03, 0, 0.03};
+        Finding f[LIMIT_KINDS];
+        for (int i = 0; i < LIMIT_KINDS; ++i) f[i] = (Finding){.absent = 1};
+        f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = (Finding){.value = value[k], .where = "'pipe', 40 m"};
+        assert_int_equal(limits_judge(&def, 0.08, 1, f, out), 1);
+        check_equal(out[0].ok, k > 0);
+        check_equal(out[0].margin, k > 0 ? 1 : -1000);
+        char text[200];
+        verdict_say(0, NULL, 1, out, 0, text, sizeof text);
+        check_has(text, k > 0 ? "SAFE" : "clearance_environment of -0.03 m at 'pipe', 40 m");
+    }
+}
+
 /* Every limit just held and just broken: bounds 100 kN/1.6, 30 kN/5 ... with nothing else in the way. */
 TEST(held_and_broken)
 {
@@ -315,13 +335,15 @@ TEST(held_and_broken)
     def.area = 800e-6, def.rope_strength = 30e3, def.attachment_rating = 50e3, def.own[HAWSER_LIMIT_WINCH] = 5e3;
     def.own[HAWSER_LIMIT_PUSH] = 8e3, def.own[HAWSER_LIMIT_SQUEEZE] = 10e3,
     def.own[HAWSER_LIMIT_WEIGHT_CORRECTION] = 1.4, def.own[HAWSER_LIMIT_CONTACT_PRESSURE] = 7e3;
-    static const double bound[LIMIT_KINDS] = {56e3, 56e3,  50e3, 3000, 7e3, 1.6, 20,   62500, 100e3,   6000, 5e3,
-                                              8e3,  100e3, 10e3, 0,    1.5, 5e3, 0.25, 2.6,   6.35e-3, 0.53, 1.4};
+    def.own[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = 0.1;
+    static const double bound[LIMIT_KINDS] = {56e3,  56e3, 50e3, 3000, 7e3, 1.6,  20,  62500,   100e3, 6000, 5e3, 8e3,
+                                              100e3, 10e3, 0,    1.5,  5e3, 0.25, 2.6, 6.35e-3, 0.53,  1.4,  0.1};
     for (int broken = 0; broken < 2; broken++) {
         Finding f[LIMIT_KINDS] = {{0}};
         hawser_limit out[HAWSER_LIMITS_MAX];
         for (int k = 0; k < LIMIT_KINDS; k++) {
-            const int over = k == HAWSER_LIMIT_BEND_RADIUS || k == HAWSER_LIMIT_ROPE_BEND || k == HAWSER_LIMIT_CLEARANCE
+            const int over = k == HAWSER_LIMIT_BEND_RADIUS || k == HAWSER_LIMIT_ROPE_BEND ||
+                                     k == HAWSER_LIMIT_CLEARANCE || k == HAWSER_LIMIT_CLEARANCE_ENVIRONMENT
                                  ? !broken
                                  : broken;
             f[k].value = bound[k] * (over ? 1.01 : 0.99);
