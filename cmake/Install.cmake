@@ -64,9 +64,11 @@ install(FILES packaging/hawser.bash DESTINATION share/bash-completion/completion
 install(FILES packaging/_hawser DESTINATION share/zsh/site-functions)
 # The catalogue is found by its place beside program and library (io/case/library.c), also in a build.
 install(DIRECTORY library/ DESTINATION share/hawser/library FILES_MATCHING PATTERN "*.yaml")
-install(FILES web/dist/desk.html DESTINATION share/hawser)
+install(FILES web/dist/desk.html web/dist/convert.cjs DESTINATION share/hawser)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/hawser)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/web/dist/desk.html ${PROJECT_BINARY_DIR}/share/hawser/desk.html SYMBOLIC)
+foreach(name desk.html convert.cjs)
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/web/dist/${name} ${PROJECT_BINARY_DIR}/share/hawser/${name} SYMBOLIC)
+endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/library ${PROJECT_BINARY_DIR}/share/hawser/library SYMBOLIC)
 install(DIRECTORY include/hawser DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
