@@ -6,6 +6,8 @@
 #include "contact/law.h"
 #include "contact/shape.h"
 #include "core/block_chain.h"
+#include "core/lanes.h"
+#include "core/machine.h"
 #include "hawser/hawser.h"
 
 /* A line that may touch others: a chain with its present kinematics. Several lines have their blocks in one matrix, in
@@ -95,6 +97,28 @@ typedef struct PatchWrench {
 
 /* Finds the pressed part of the piece, and the forces on its ends (CC2)-(CC6); 0 if it is not pressed anywhere. */
 int bed_integrate(Patch *patch, const PatchLaw *law);
+
+/* The integrals run over the pressed part of the piece, where the integrand is a polynomial of degree 4 at most: three
+ * Gauss points give them exactly, without the cancellation of closed forms in the limits. Points and weights on [0, 1].
+ */
+enum { BED_POINTS = 3 };
+
+static const double BED_AT[BED_POINTS] = {0.11270166537925831, 0.5, 0.88729833462074169};
+static const double BED_WEIGHT[BED_POINTS] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/* Derivatives of the wrenches on a patch's slots: rows are force and moment, N and N m, columns the coordinates of one
+ * slot: displacements (m) and rotations (rad), or velocities and angular velocities, along the world's axes. */
+typedef struct PatchColumns {
+    double row[PATCH_SLOTS][6][LANES]; /* [slot][row][column]; columns 0..5 */
+} PatchColumns;
+
+typedef struct SelfKernels {
+    /* Columns of slot s (CC13)-(CC17). */
+    void (*columns)(const Patch *patch, const PatchLaw *law, int s, PatchColumns *by_place, PatchColumns *by_motion);
+} SelfKernels;
+
+ISA_KERNELS(SelfKernels, self_kernels)
+
 /* Contact of the cable with itself: layers, crossings, loops; and of several cables with each other. docs/theory.md,
  * "Cable on cable", "Several chains".
  *
