@@ -120,6 +120,12 @@ LIMIT_RULE(FILL, RULE_FILL, def->code, f->cables, 0)
 LIMIT(WEIGHT_CORRECTION, "weight_correction", "1", LIMIT_OF_DUCT)
 LIMIT_KEY(WEIGHT_CORRECTION, "weight_correction", DIM_NONE, .otherwise = "not known", FROM(1, 100))
 
+/* m, least between cable or rope and the environment */
+LIMIT(CLEARANCE_ENVIRONMENT, "clearance_environment", "m", LIMIT_AT_LEAST)
+LIMIT_KEY(CLEARANCE_ENVIRONMENT, "clearance_environment", DIM_LENGTH, .fallback = "0 m", FROM(0, 5))
+LIMIT_REMEDY(CLEARANCE_ENVIRONMENT, BOUND_NONE, "move_away", "environment.N.clearance",
+             "another line, or that part moved; for what the cable is to lie on, {key}: no")
+
 #undef LIMIT
 #undef LIMIT_KEY
 #undef LIMIT_RULE

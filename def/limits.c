@@ -523,6 +523,7 @@ void limits_defaults(LimitsDef *def)
                        .jam_to = NAN};
     for (int k = 0; k < LIMIT_KINDS; k++) def->own[k] = NAN;
     def->own[HAWSER_LIMIT_ALPHA] = 1.5;
+    def->own[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = 0;
 }
 
 static const struct {
@@ -549,7 +550,8 @@ hawser_limit_kind limits_kind(const char *name)
 static double margin_at_least(double value, double limit)
 {
     static const double MOST = 1000;
-    return value * (1 + MOST) > limit ? 1 - limit / value : limit > 0 ? -MOST : 1;
+    if (value * (1 + MOST) > limit) return 1 - limit / value;
+    return limit > 0 || value < 0 ? -MOST : 1;
 }
 
 static const double ROUNDING = 1e-12; /* of a margin: a value equal to the limit holds */
@@ -743,9 +745,11 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
         add(line, "%s %s", first ? ":" : ",", l->source);
         return;
     }
-    const double share = l->value / l->limit;
+    const double share = l->limit > 0 || l->value > 0 ? l->value / l->limit : NAN;
     add(line, "%s %s ", first ? ":" : ",", l->name);
-    if (share < TIMES)
+    if (!(share > 0))
+        add(line, "of %.4g %s", l->value, l->unit);
+    else if (share < TIMES)
         add(line, "by %.3g %%", 100 * fabs(share - 1));
     else
         add(line, "%.0f times too large", share);

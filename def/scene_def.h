@@ -14,6 +14,7 @@
 #include "def/bundle_def.h"
 #include "def/cable_def.h"
 #include "def/command_def.h"
+#include "def/environment_def.h"
 #include "def/output_def.h"
 #include "def/reel_def.h"
 #include "def/rod_def.h"
@@ -268,6 +269,7 @@ typedef struct SceneDef {
     ImpactLaw line_impact; /* per metre of cable on a surface */
     int n_surfaces;
     SurfaceDef *surfaces;
+    EnvironmentDef environment;
 
     WinchDef winch;
     TailDef tail;
@@ -318,6 +320,13 @@ typedef struct SceneDef {
     OWNED(route, n_route)                                                                                              \
     OWNED(rollers, n_rollers)                                                                                          \
     OWNED(surfaces, n_surfaces)                                                                                        \
+    OWNED(environment.mesh.vertex, environment.mesh.n_vertices)                                                        \
+    OWNED(environment.mesh.triangle, environment.mesh.n_triangles)                                                     \
+    OWNED(environment.mesh.layer, environment.mesh.n_triangles)                                                        \
+    OWNED(environment.mesh.layer_name, environment.mesh.n_layers)                                                      \
+    OWNED(environment.friction, environment.mesh.n_layers)                                                             \
+    OWNED(environment.clear, environment.mesh.n_layers)                                                                \
+    OWNED(environment.near, environment.mesh.n_layers)                                                                 \
     OWNED(conveyors, n_conveyors)                                                                                      \
     OWNED(jams, n_jams)                                                                                                \
     OWNED(script, n_script)                                                                                            \

@@ -116,6 +116,8 @@ void survey_clear(Survey *s)
     free(s->alignment);
     free(s->mark);
     free(s->ignored);
+    mesh_build_end(&s->faces);
+    mesh_free(&s->faces.mesh);
     *s = (Survey){0};
 }
 

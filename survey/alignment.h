@@ -5,6 +5,7 @@
 #ifndef HAWSER_SURVEY_ALIGNMENT_H
 #define HAWSER_SURVEY_ALIGNMENT_H
 
+#include "core/mesh.h"
 #include "core/route.h"
 #include "hawser/hawser.h"
 
@@ -83,6 +84,7 @@ typedef struct Survey {
     char system[SURVEY_NAME_MAX]; /* system of coordinates as named by the file; empty: not stated */
     int mapped;                   /* y is north by the format: a map, or LandXML */
     char unit[SURVEY_NAME_MAX];   /* the unit of length used, and its reason */
+    MeshBuild faces;              /* of a drawing that is read for them */
     double drawn_unit;            /* metres per unit, if only a drawing gives it, or nothing does; else 0 */
 } Survey;
 

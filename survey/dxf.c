@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "survey/input.h"
+#include "survey/model.h"
 
 /* A group code with its value; text is empty for a number, and the number is NAN for a text that is not one. */
 typedef struct DxfTag {
@@ -29,6 +30,7 @@ typedef struct DxfStream {
     long strays;        /* lines so far that are not a group code */
     long left_out;      /* number of unreadable entities so far */
     hawser_error first; /* the first item that could not be read; status OK: none */
+    int within;         /* blocks around the present one that are taken by their names */
     iconv_t page;       /* from the drawing's code page; (iconv_t)-1: Latin-1 */
     struct DxfBlocks *blocks;
 } DxfStream;
@@ -494,6 +496,134 @@ static hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
     return status;
 }
 
+/* Faces, for models of the environment (survey/model.h). */
+
+/* Checks whether faces on that layer are taken. Those of a block are kept until the block is inserted. */
+static int is_taken(const DxfStream *s, const char *layer)
+{
+    const ModelOptions *const o = s->in->options.model;
+    return model_match(&o->leave, layer) < 0 && (o->take.n == 0 || s->within > 0 || model_match(&o->take, layer) >= 0);
+}
+
+static hawser_status faces_error(const SurveyInput *in)
+{
+    const Mesh *const m = &in->out->faces.mesh;
+    if (m->n_triangles < MESH_MOST && m->n_vertices < MESH_MOST) return error_memory(in->err);
+    return input_error(in, "more than %d triangles or vertices", MESH_MOST);
+}
+
+/* -1: no memory, or too many. */
+static int face_vertex(MeshBuild *to, Vec3 at) { return mesh_add_vertex(to, (double[3]){at.x, at.y, at.z}); }
+
+/* Adds a face of n corners. */
+static hawser_status face_add(const SurveyInput *in, const char *layer, int n, const int corner[])
+{
+    MeshBuild *const to = &in->out->faces;
+    const int number = mesh_add_layer(to, layer);
+    int added = number < 0 ? -1 : 0;
+    for (int i = 0; i < n && added >= 0; ++i) added = corner[i];
+    if (added >= 0) added = mesh_add_polygon(to, n, corner, number);
+    if (added == -2) survey_ignore(in->out, "faces of which no corner sees all others");
+    return added == -1 ? faces_error(in) : HAWSER_OK;
+}
+
+/* Adds a 3DFACE, whose last two corners are equal in a triangle. */
+static hawser_status face3d_add(const SurveyInput *in, const DxfEntity *e)
+{
+    int corner[4];
+    for (int i = 0; i < 4; ++i) {
+        const int from = i == 3 && isnan(dxf_number(e, 13, NAN)) ? 2 : i;
+        const Vec3 at = v3(dxf_number(e, 10 + from, NAN), dxf_number(e, 20 + from, NAN), dxf_number(e, 30 + from, 0));
+        if (!isfinite(at.x + at.y)) return input_error(in, "a 3DFACE without its corners (groups 10 to 33)");
+        corner[i] = face_vertex(&in->out->faces, v3_scale(in->unit, at));
+    }
+    return face_add(in, e->layer, corner[3] == corner[2] ? 3 : 4, corner);
+}
+
+/* Adds a MESH: groups 92 the number of vertices, 10 to 30 the vertices, 93 the length of the list of faces, and there
+ * 90 the number of a face's corners and each of them. */
+static hawser_status mesh_entity_add(const SurveyInput *in, const DxfEntity *e)
+{
+    int *const vertex = malloc(((size_t)e->n + 1) * sizeof *vertex), *const corner =
+                                                                         malloc(((size_t)e->n + 1) * sizeof *corner);
+    int n = 0, left = -1, open = 0, corners = 0; /* left: of the list; open: corners that the present face lacks */
+    hawser_status status = vertex && corner ? HAWSER_OK : error_memory(in->err);
+    for (int i = 0; i < e->n && !status; ++i) {
+        const int code = e->number[i].code;
+        const double value = e->number[i].value;
+        if (code == 93) left = value >= 0 && value <= e->n ? (int)value : 0;
+        if (code == 10 && left < 0 && i + 2 < e->n) {
+            vertex[n] = face_vertex(&in->out->faces,
+                                    v3_scale(in->unit, v3(value, e->number[i + 1].value, e->number[i + 2].value)));
+            if (vertex[n++] < 0) status = faces_error(in);
+        }
+        if (code != 90 || left <= 0) continue;
+        --left;
+        if (open == 0) {
+            open = value >= 0 && value <= left ? (int)value : 0;
+            corners = 0;
+        } else if (value >= 0 && value < n) {
+            corner[corners++] = vertex[(int)value];
+            if (--open == 0) status = face_add(in, e->layer, corners, corner);
+        } else {
+            status = input_error(in, "a MESH with a face on vertex %g, of %d", value, n);
+        }
+    }
+    if (!status && dxf_number(e, 91, 0) > 0)
+        survey_ignore(in->out, "MESH: its smoothing; the faces of its control mesh are read");
+    free(vertex);
+    free(corner);
+    return status;
+}
+
+/* A POLYLINE that is a mesh of m rows and n columns, or faces by the numbers of their corners. */
+typedef struct DxfNet {
+    int n, *vertex; /* [n] */
+} DxfNet;
+
+/* Adds a VERTEX: a place, or a face by numbers from 1, negative before an edge that is not drawn. */
+static hawser_status net_vertex(const SurveyInput *in, const DxfEntity *head, const DxfEntity *v, DxfNet *net)
+{
+    enum { FRAME = 16, PLACE = 64, FACE = 128 };
+    const int flags = dxf_flags(v);
+    int corner[4], n = 0;
+    if (flags & FRAME) return HAWSER_OK;
+    if (!(flags & FACE) || (flags & PLACE)) {
+        int *const next = survey_one_more(&net->vertex, &net->n, sizeof *next);
+        if (!next) return error_memory(in->err);
+        *next = face_vertex(&in->out->faces,
+                            v3_scale(in->unit, v3(dxf_number(v, 10, 0), dxf_number(v, 20, 0), dxf_number(v, 30, 0))));
+        return *next < 0 ? faces_error(in) : HAWSER_OK;
+    }
+    for (int k = 0; k < 4; ++k) {
+        const double number = fabs(dxf_number(v, 71 + k, 0));
+        if (number > net->n) return input_error(in, "a face of a POLYLINE on vertex %g, of %d", number, net->n);
+        if (number >= 1) corner[n++] = net->vertex[(int)number - 1];
+    }
+    return face_add(in, head->layer, n, corner);
+}
+
+/* Adds the faces between rows and columns, which may close. */
+static hawser_status net_add(const SurveyInput *in, const DxfEntity *head, const DxfNet *net)
+{
+    enum { CLOSED_M = 1, SMOOTH = 4, CLOSED_N = 32 };
+    const int flags = dxf_flags(head), smooth = (flags & SMOOTH) ? 2 : 0;
+    const double rows = dxf_number(head, 71 + smooth, 0), columns = dxf_number(head, 72 + smooth, 0);
+    hawser_status status = HAWSER_OK;
+    if (!(rows >= 2 && columns >= 2 && rows * columns == net->n && rows == floor(rows)))
+        return input_error(in, "a POLYLINE of %g rows and %g columns with %d vertices", rows, columns, net->n);
+    const int m = (int)rows, n = (int)columns;
+    for (int i = 0; i < ((flags & CLOSED_M) ? m : m - 1) && !status; ++i) {
+        for (int j = 0; j < ((flags & CLOSED_N) ? n : n - 1) && !status; ++j) {
+            const int down = (i + 1) % m, right = (j + 1) % n;
+            status = face_add(in, head->layer, 4,
+                              (int[4]){net->vertex[i * n + j], net->vertex[i * n + right],
+                                       net->vertex[down * n + right], net->vertex[down * n + j]});
+        }
+    }
+    return status;
+}
+
 /* Blocks: parts that a drawing has once and inserts at many places, moved, rotated, scaled, mirrored, nested. */
 
 enum { DEPTH_MOST = 32, EXPANDED_MOST = 4000000, COPIES_MOST = 32767 };
@@ -712,6 +842,33 @@ static int is_within(DxfStream *s)
 static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const DxfPlace *around, const char *layer,
                                    int depth);
 
+/* Adds the faces of a block at a place. One that mirrors them turns their corners round. */
+static hawser_status faces_follow(DxfStream *s, const Mesh *from, const DxfPlace *place, const char *layer)
+{
+    MeshBuild *const to = &s->in->out->faces;
+    const int mirrored = v3_dot(v3_cross(place->x, place->y), place->z) < 0;
+    int *const vertex = malloc(((size_t)from->n_vertices + 1) * sizeof *vertex);
+    int fine = vertex != NULL;
+    for (int v = 0; v < from->n_vertices && fine; ++v) vertex[v] = -1;
+    for (int t = 0; t < from->n_triangles && fine; ++t) {
+        const char *const own = layer_within(from->layer_name[from->layer[t]], layer);
+        if (!is_taken(s, own)) continue;
+        const int to_layer = model_layer_add(to, own);
+        int v[3];
+        fine = to_layer >= 0;
+        for (int k = 0; k < 3 && fine; ++k) {
+            int *const known = &vertex[from->triangle[t][k]];
+            const double *const at = from->vertex[from->triangle[t][k]];
+            if (*known < 0) *known = face_vertex(to, placed(place, v3(at[0], at[1], at[2])));
+            v[k] = *known;
+            fine = v[k] >= 0;
+        }
+        fine = fine && mesh_add_triangle(to, v[0], v[1 + mirrored], v[2 - mirrored], to_layer) >= 0;
+    }
+    free(vertex);
+    return fine ? HAWSER_OK : faces_error(s->in);
+}
+
 /* Adds the lines of a block at a place, and of the blocks within it. */
 static hawser_status block_follow(DxfStream *s, const DxfBlock *b, const DxfPlace *place, const char *layer, int depth)
 {
@@ -726,6 +883,7 @@ static hawser_status block_follow(DxfStream *s, const DxfBlock *b, const DxfPlac
         snprintf(a->layer, sizeof a->layer, "%s", own);
         a->inserted = s->blocks->inserted;
     }
+    if (!status) status = faces_follow(s, &b->lines.faces.mesh, &at, layer);
     for (int i = 0; i < b->n_inserts && !status && is_within(s); ++i)
         status = copies_follow(s, &b->insert[i], &at, layer, depth + 1);
     return status;
@@ -736,7 +894,12 @@ static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const 
 {
     DxfBlock *const b = block_of(s, insert->block);
     hawser_status status = HAWSER_OK;
-    if (!is_followed(s, insert->block, b, depth) || (b->lines.n == 0 && b->n_inserts == 0)) return HAWSER_OK;
+    if (!is_followed(s, insert->block, b, depth)) return HAWSER_OK;
+    if (b->lines.n == 0 && b->lines.faces.mesh.n_triangles == 0 && b->n_inserts == 0) return HAWSER_OK;
+    const ModelOptions *const model = s->in->options.model;
+    if (model && model_match(&model->leave, insert->block) >= 0) return HAWSER_OK;
+    const int taken = model && model_match(&model->take, insert->block) >= 0;
+    s->within += taken;
     for (int r = 0; r < insert->rows && !status; ++r) {
         for (int c = 0; c < insert->columns && !status && is_within(s); ++c) {
             DxfPlace place = insert->place;
@@ -745,6 +908,7 @@ static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const 
             status = block_follow(s, b, &place, layer_within(insert->layer, layer), depth);
         }
     }
+    s->within -= taken;
     return status;
 }
 
@@ -990,14 +1154,17 @@ static const struct {
               {"ARC", dxf_add_arc},
               {"LWPOLYLINE", dxf_add_lwpolyline},
               {"SPLINE", dxf_add_spline},
-              {"ELLIPSE", dxf_add_ellipse}};
+              {"ELLIPSE", dxf_add_ellipse}},
+  faces[] = {{"3DFACE", face3d_add}, {"MESH", mesh_entity_add}};
 
 /* Checks whether an entity's numbers are used. */
-static int is_read(const char *kind)
+static int is_read(const DxfStream *s, const char *kind)
 {
     static const char *const others[] = {"POLYLINE", "VERTEX", "INSERT", "POINT", "BLOCK"};
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i)
         if (!strcmp(kind, shapes[i].kind)) return 1;
+    for (size_t i = 0; i < sizeof faces / sizeof *faces; ++i)
+        if (s->in->options.model && !strcmp(kind, faces[i].kind)) return 1;
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i)
         if (!strcmp(kind, others[i])) return 1;
     return 0;
@@ -1018,7 +1185,7 @@ static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e
     *e->layer = *e->name = *e->text = 0;
     e->n = e->bad = 0;
     e->line = s->in->line;
-    const int numbers = is_read(e->kind);
+    const int numbers = is_read(s, e->kind);
     for (; (more = dxf_next(s, &tag)) > 0 && tag.code != 0; last = tag.code) {
         if (s->strays != strays && last < EXTENDED && !e->bad) e->bad = -1;
         embedded |= tag.code == EMBEDDED;
@@ -1066,13 +1233,20 @@ static hawser_status entity_check(DxfStream *s, const DxfEntity *e)
     return HAWSER_OK;
 }
 
+/* Checks whether an entity's faces are read: in a block all are, since the insertion may give them their layer. */
+static int is_face_wanted(const DxfStream *s, const DxfEntity *e, int in_block)
+{
+    return s->in->options.model && (in_block || is_taken(s, e->layer));
+}
+
 /* Reads a POLYLINE: VERTEX entities up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a
  * spline's frame, which is not part of the line. */
-static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
+static hawser_status polyline_read(DxfStream *s, DxfEntity *head, int in_block)
 {
-    enum { CLOSED = 1, SPACE = 8, MESHES = 16 | 64, FRAME = 16 };
-    const int flags = dxf_flags(head), space = (flags & SPACE) != 0;
+    enum { CLOSED = 1, SPACE = 8, GRID = 16, MESHES = 16 | 64, FRAME = 16 };
+    const int flags = dxf_flags(head), space = (flags & SPACE) != 0, net = s->in->options.model && (flags & MESHES);
     DxfCorner *corner = NULL;
+    DxfNet faces_of = {0};
     DxfEntity vertex = {0};
     DxfTag tag;
     int n = 0, more = 1;
@@ -1084,7 +1258,9 @@ static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
         }
         status = entity_read(s, &tag, &vertex);
         if (vertex.bad && !head->bad) head->bad = vertex.bad;
-        if (status || (dxf_flags(&vertex) & FRAME) || n >= SURVEY_MOST) continue;
+        if (!status && net && !head->bad && is_face_wanted(s, head, in_block))
+            status = net_vertex(s->in, head, &vertex, &faces_of);
+        if (status || net || (dxf_flags(&vertex) & FRAME) || n >= SURVEY_MOST) continue;
         DxfCorner *const next = survey_one_more(&corner, &n, sizeof *next);
         const double z = space ? dxf_number(&vertex, 30, 0) : dxf_number(head, 30, 0);
         if (!next)
@@ -1095,18 +1271,29 @@ static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
     }
     if (!status && more < 0) status = s->in->err->status;
     if (!status) status = entity_check(s, head);
-    if (!status && (flags & MESHES))
+    if (!status && net && (flags & GRID) && faces_of.n)
+        status = net_add(s->in, head, &faces_of);
+    else if (!status && (flags & MESHES) && !net)
         survey_ignore(s->in->out, "POLYLINE: meshes");
-    else if (!status)
+    else if (!status && !s->in->options.model)
         status = dxf_add_corners(s->in, head, n, corner, flags & CLOSED, space);
     free(corner);
+    free(faces_of.vertex);
     free(vertex.number);
     return status;
 }
 
-/* Reads a point or a block's insertion in its own system; attributes follow an insertion with 66. The first attribute
- * with a text is its name. */
-static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
+/* Index of the pattern by which a point or an insertion is equipment, by its block or its layer; -1: none. */
+static int part_of(const DxfStream *s, const DxfEntity *e)
+{
+    const ModelPatterns *const patterns = &s->in->options.model->equipment;
+    const int by_block = *e->name ? model_match(patterns, e->name) : -1;
+    return by_block >= 0 ? by_block : model_match(patterns, e->layer);
+}
+
+/* part: see part_of. Reads a point or a block's insertion in its own system; attributes follow an insertion with 66.
+ * The first attribute with a text is its name. */
+static hawser_status mark_read(DxfStream *s, const DxfEntity *e, int part)
 {
     const int insert = !strcmp(e->kind, "INSERT");
     const DxfSystem system = dxf_system(s->in, e);
@@ -1114,7 +1301,8 @@ static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
     const double turned = 3.14159265358979323846 / 180 * dxf_number(e, 50, 0);
     DxfEntity attribute = {0};
     DxfTag tag;
-    SurveyMark *const mark = survey_add_mark(s->in->out, insert ? e->name : "POINT", e->layer);
+    const char *const layer = part < 0 ? e->layer : s->in->options.model->equipment.pattern[part];
+    SurveyMark *const mark = survey_add_mark(s->in->out, insert ? e->name : "POINT", layer);
     if (!mark) return error_memory(s->in->err);
     mark->at = insert ? dxf_world(&system, at) : v3_scale(s->in->unit, at);
     mark->line = e->line;
@@ -1153,26 +1341,34 @@ static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
     static const char *const silent[] = {"SEQEND", "ATTRIB", "ATTDEF", "ENDBLK", "POINT", "TEXT", "MTEXT"};
     const int sheet = !in_block && dxf_number(e, 67, 0) == 1; /* frames of a sheet, in its own coordinates */
     const int insert = !strcmp(e->kind, "INSERT"), point = !strcmp(e->kind, "POINT");
-    if (!strcmp(e->kind, "POLYLINE") && !sheet && dxf_number(e, 60, 0) != 1) return polyline_read(s, e);
+    if (!strcmp(e->kind, "POLYLINE") && !sheet && dxf_number(e, 60, 0) != 1) return polyline_read(s, e, in_block);
     if (sheet || dxf_number(e, 60, 0) == 1) {
         char what[SURVEY_NAME_MAX];
         snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is invisible", e->kind);
         survey_ignore(s->in->out, what);
         return HAWSER_OK;
     }
+    for (size_t i = 0; i < sizeof faces / sizeof *faces; ++i) {
+        if (!s->in->options.model || strcmp(e->kind, faces[i].kind)) continue;
+        const hawser_status whole = entity_check(s, e);
+        return whole || !is_face_wanted(s, e, in_block) ? whole : faces[i].add(s->in, e);
+    }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
         if (strcmp(e->kind, shapes[i].kind)) continue;
+        if (s->in->options.model) return HAWSER_OK;
         const hawser_status whole = entity_check(s, e);
         return whole ? whole : shapes[i].add(s->in, e);
     }
     if (insert || (point && !in_block)) {
+        const ModelOptions *const model = s->in->options.model;
+        const int part = model && !in_block ? part_of(s, e) : -1;
         hawser_status status = entity_check(s, e);
-        if (!status && insert) status = insert_read(s, e, in_block);
-        if (!status && !in_block) status = mark_read(s, e);
+        if (!status && insert && part < 0) status = insert_read(s, e, in_block);
+        if (!status && !in_block && (!model || part >= 0)) status = mark_read(s, e, part);
         return status;
     }
     for (size_t i = 0; i < sizeof silent / sizeof *silent; ++i)
-        if (!strcmp(e->kind, silent[i]) && (in_block || i == 0)) return HAWSER_OK;
+        if (!strcmp(e->kind, silent[i]) && (in_block || i == 0 || s->in->options.model)) return HAWSER_OK;
     survey_ignore(s->in->out, e->kind);
     if (e->bad < 0) survey_ignore(s->in->out, "a line break within a text");
     return HAWSER_OK;
@@ -1209,6 +1405,7 @@ static void unit_set(SurveyInput *in, int code)
     in->out->drawn_unit = isnan(in->options.unit);
     for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
         if (units[i].code == code) {
+            in->unit_known = 1;
             input_unit(in, units[i].metres, units[i].name);
             in->out->drawn_unit *= in->unit;
             return;
@@ -1330,7 +1527,7 @@ hawser_status dxf_read(SurveyInput *in)
     if (!status && more < 0) status = s.in->err->status; /* INPUT, or MEMORY */
     if (!status && sections == 0 && !s.first.status) status = input_error(in, "no section in the drawing");
     if (!status && in->out->n == 0) dxf_blocks_note(&s);
-    if (!status && in->out->n + in->out->n_marks == 0 && s.first.status) {
+    if (!status && in->out->n + in->out->n_marks + in->out->faces.mesh.n_triangles == 0 && s.first.status) {
         *in->err = s.first;
         status = s.first.status;
     }

@@ -27,10 +27,11 @@ int encoding_convert(iconv_t page, char *to, size_t size, const char *text);
 
 /* Options of the caller for reading a file. */
 typedef struct SurveyOptions {
-    double unit;        /* metres in the file's unit of length; NAN: as the file states */
-    int marks;          /* equipment is read: a table's rows are marks, not a route */
-    const char *sheet;  /* of a spreadsheet, by its name or number from 1; NULL: the first */
-    const char *ignore; /* names of a table's columns that are ignored, one per line; NULL: none */
+    double unit;                      /* metres in the file's unit of length; NAN: as the file states */
+    int marks;                        /* equipment is read: a table's rows are marks, not a route */
+    const char *sheet;                /* of a spreadsheet, by its name or number from 1; NULL: the first */
+    const char *ignore;               /* names of a table's columns that are ignored, one per line; NULL: none */
+    const struct ModelOptions *model; /* a drawing's faces are read, not its lines (survey/model.h); NULL: its lines */
 } SurveyOptions;
 
 typedef struct SurveyInput {
@@ -40,7 +41,8 @@ typedef struct SurveyInput {
     int lost;   /* errno of a failed seek in the file */
     long line;  /* the line being read, from 1; 0: lines have no meaning */
     SurveyOptions options;
-    double unit; /* metres in the file's unit */
+    double unit;    /* metres in the file's unit */
+    int unit_known; /* the file says it */
     Survey *out;
     locale_t numbers; /* with a decimal point */
     hawser_error *err;
@@ -92,6 +94,8 @@ hawser_status ifc_read(SurveyInput *in);
 /* Reads DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each a
  * separate alignment, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
+/* Reads GLB files for survey/model.h. */
+hawser_status gltf_read(SurveyInput *in, const struct ModelOptions *options, MeshBuild *build);
 /* Reads GPX tracks, routes and waypoints, or KML; lines and points of GeoJSON, also one value per line: longitude,
  * latitude and height, projected about the first place of the file. */
 hawser_status tracks_read(SurveyInput *in);

@@ -1,4 +1,5 @@
 #include "theory/findings.h"
+#include "theory/environment.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -96,6 +97,7 @@ void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS])
     finding[HAWSER_LIMIT_SQUEEZE] = squeeze(def);
     finding[HAWSER_LIMIT_PUSH].absent = def->n_conveyors == 0;
     finding[HAWSER_LIMIT_SPEED] = speed_said(setup);
+    finding[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = clearances_finding(&def->environment, def->environment.near, false);
     if (has_row(def)) return;
     finding[HAWSER_LIMIT_ALPHA].absent = 1;
     if (!has_rating(def)) finding[HAWSER_LIMIT_ROLLER_STEADY].absent = finding[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;

@@ -142,11 +142,11 @@ double mesh_error(const MeshPlace *p, double h)
 
 double mesh_place_length(const MeshPlace *place, double error)
 {
-    const Mesh alone = {1, (MeshPlace *)place};
+    const SegmentMesh alone = {1, (MeshPlace *)place};
     return mesh_length(&alone, place->piece, error);
 }
 
-static double piece_error(const Mesh *mesh, int piece, double h)
+static double piece_error(const SegmentMesh *mesh, int piece, double h)
 {
     double sum = 0;
     for (int i = 0; i < mesh->n; ++i) {
@@ -155,7 +155,7 @@ static double piece_error(const Mesh *mesh, int piece, double h)
     return sum;
 }
 
-double mesh_length(const Mesh *mesh, int piece, double error)
+double mesh_length(const SegmentMesh *mesh, int piece, double error)
 {
     double low = 1e-5, high = MESH_USUAL;
     for (int i = 0; i < mesh->n; ++i) {
@@ -173,7 +173,7 @@ double mesh_length(const Mesh *mesh, int piece, double error)
     return low;
 }
 
-double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
+double mesh_auto(const SegmentMesh *mesh, const SceneDef *def, int piece)
 {
     const ChainPieceDef *const p = &def->pieces[piece];
     /* a rod needs more than a small shape error: each load and end is exact only to a segment */
@@ -184,7 +184,7 @@ double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
     return fmax(fmin(wanted, shows), least);
 }
 
-double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst)
+double mesh_given(const SegmentMesh *mesh, const SceneDef *def, double pull, int *worst)
 {
     double sum = 0, most = 0;
     *worst = -1;
@@ -442,7 +442,7 @@ static double rod_radius(const RodDef *rod)
 }
 
 /* Adds the pieces of a rod; each has to show the half waves of the whole rod. */
-static void rod_places(const SceneDef *def, Mesh *out)
+static void rod_places(const SceneDef *def, SegmentMesh *out)
 {
     double length = 0;
     for (int k = 0; k < def->n_pieces; ++k) length += def->pieces[k].length;
@@ -456,11 +456,11 @@ static void rod_places(const SceneDef *def, Mesh *out)
     }
 }
 
-hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err)
+hawser_status mesh_find(const Supports *map, SegmentMesh *out, hawser_error *err)
 {
     const SceneDef *const def = map->def;
     const Route *const route = map->route;
-    *out = (Mesh){0};
+    *out = (SegmentMesh){0};
     out->place = calloc((size_t)def->n_pieces * (size_t)(route->n + 1) + 1, sizeof *out->place);
     if (!out->place) return error_memory(err);
     if (def->rod.present) {
@@ -491,10 +491,10 @@ hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err)
     return HAWSER_OK;
 }
 
-void mesh_free(Mesh *mesh)
+void segment_mesh_free(SegmentMesh *mesh)
 {
     free(mesh->place);
-    *mesh = (Mesh){0};
+    *mesh = (SegmentMesh){0};
 }
 
 /* Bending diameter of the rope. docs/theory/62-limits.md */

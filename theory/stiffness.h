@@ -30,29 +30,29 @@ typedef struct MeshPlace {
     double rod_length;     /* m, of a rod divided by the number of its half waves; 0: no rod */
 } MeshPlace;
 
-typedef struct Mesh {
+typedef struct SegmentMesh {
     int n;
     MeshPlace *place; /* [n] owned, by pieces of the chain, then along the route */
     double wave;      /* m, half wave of buckling in a run; 0: none. mesh_find sets none */
-} Mesh;
+} SegmentMesh;
 
 /* Finds every place with a requirement, for pieces that reach it during the run. The drive of the map's definition must
  * be filled in, its segments need not be. For a rod the map is empty except definition and route. Errors: MEMORY. */
-hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err);
-void mesh_free(Mesh *mesh);
+hawser_status mesh_find(const Supports *map, SegmentMesh *out, hawser_error *err);
+void segment_mesh_free(SegmentMesh *mesh);
 /* Expected relative increase of the tension there by segments of length h (m), (ME1)-(ME7), (ME10)-(ME13), (ME15). */
 double mesh_error(const MeshPlace *place, double h);
 /* Relative error by which the sag between rollers `pitch` m apart is too small (ME9); bending_length as above. */
 double mesh_sag_error(double h, double pitch, double bending_length);
 /* Largest segment, m, with which all places of a piece together have a relative error of at most `error`, at most
  * MESH_USUAL; and the same for one place. */
-double mesh_length(const Mesh *mesh, int piece, double error);
+double mesh_length(const SegmentMesh *mesh, int piece, double error);
 double mesh_place_length(const MeshPlace *place, double error);
 /* Segment that `segment: auto` takes for this piece, m (ME8), (ME14). */
-double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece);
+double mesh_auto(const SegmentMesh *mesh, const SceneDef *def, int piece);
 /* Expected error of the definition's segments: the sum over all places relative to a pull (N; 0: to the tension at
  * each), and the place with the largest part (-1: none). */
-double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst);
+double mesh_given(const SegmentMesh *mesh, const SceneDef *def, double pull, int *worst);
 /* Describes the place as text: "bend at 31 m, R 3 m, room 2 mm". */
 void mesh_describe(const MeshPlace *place, int size, char *text);
 /* Relative errors of the pull: target of `segment: auto`, and bound for a trusted run. */

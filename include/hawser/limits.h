@@ -17,28 +17,29 @@ enum { HAWSER_LIMITS_MAX = 24, HAWSER_VERDICT_MAX = 2048 };
 
 /* Kinds of limits. Numbers stay; new kinds come behind. */
 typedef enum hawser_limit_kind {
-    HAWSER_LIMIT_PULL,             /* N, largest tension of the cable, borne by conductor or sheath */
-    HAWSER_LIMIT_RESTART,          /* N, the same from rest */
-    HAWSER_LIMIT_ATTACHMENT,       /* N, at the eye or net, borne by that device */
-    HAWSER_LIMIT_SIDEWALL,         /* N/m, largest tension over radius in a bend */
-    HAWSER_LIMIT_CONTACT_PRESSURE, /* N/m, largest force per length on ducts, trays, floors and walls */
-    HAWSER_LIMIT_BEND_RADIUS,      /* m, smallest radius of the cable */
-    HAWSER_LIMIT_ROPE_BEND,        /* 1, smallest bending diameter of the rope over its own */
-    HAWSER_LIMIT_ROLLER_STEADY,    /* N, largest load of a roller at steady speed */
-    HAWSER_LIMIT_ROLLER_PEAK,      /* N, largest load of a roller at any time */
-    HAWSER_LIMIT_ROPE,             /* N, largest tension of the rope */
-    HAWSER_LIMIT_WINCH,            /* N, largest force of the winch */
-    HAWSER_LIMIT_PUSH,             /* N, largest push of a machine */
-    HAWSER_LIMIT_BUCKLING,         /* N, compression where it is nearest to the critical load there */
-    HAWSER_LIMIT_SQUEEZE,          /* N/m, of belts on the cable */
-    HAWSER_LIMIT_RUN_AWAY,         /* N, brake that is missing where the pull begins */
-    HAWSER_LIMIT_ALPHA,            /* 1, largest force of the winch over that of theory */
-    HAWSER_LIMIT_TRIP,             /* N, at which the winch stops */
-    HAWSER_LIMIT_SPEED,            /* m/s, of the winch or the fastest belt */
-    HAWSER_LIMIT_JAM_RATIO,        /* 1, diameters of duct and cable, of three cables in a duct */
-    HAWSER_LIMIT_CLEARANCE,        /* m, over the uppermost cable in a duct */
-    HAWSER_LIMIT_FILL,             /* 1, share of a duct that is filled */
-    HAWSER_LIMIT_WEIGHT_CORRECTION /* 1, weight correction of several cables in a duct */
+    HAWSER_LIMIT_PULL,                 /* N, largest tension of the cable, borne by conductor or sheath */
+    HAWSER_LIMIT_RESTART,              /* N, the same from rest */
+    HAWSER_LIMIT_ATTACHMENT,           /* N, at the eye or net, borne by that device */
+    HAWSER_LIMIT_SIDEWALL,             /* N/m, largest tension over radius in a bend */
+    HAWSER_LIMIT_CONTACT_PRESSURE,     /* N/m, largest force per length on ducts, trays, floors and walls */
+    HAWSER_LIMIT_BEND_RADIUS,          /* m, smallest radius of the cable */
+    HAWSER_LIMIT_ROPE_BEND,            /* 1, smallest bending diameter of the rope over its own */
+    HAWSER_LIMIT_ROLLER_STEADY,        /* N, largest load of a roller at steady speed */
+    HAWSER_LIMIT_ROLLER_PEAK,          /* N, largest load of a roller at any time */
+    HAWSER_LIMIT_ROPE,                 /* N, largest tension of the rope */
+    HAWSER_LIMIT_WINCH,                /* N, largest force of the winch */
+    HAWSER_LIMIT_PUSH,                 /* N, largest push of a machine */
+    HAWSER_LIMIT_BUCKLING,             /* N, compression where it is nearest to the critical load there */
+    HAWSER_LIMIT_SQUEEZE,              /* N/m, of belts on the cable */
+    HAWSER_LIMIT_RUN_AWAY,             /* N, brake that is missing where the pull begins */
+    HAWSER_LIMIT_ALPHA,                /* 1, largest force of the winch over that of theory */
+    HAWSER_LIMIT_TRIP,                 /* N, at which the winch stops */
+    HAWSER_LIMIT_SPEED,                /* m/s, of the winch or the fastest belt */
+    HAWSER_LIMIT_JAM_RATIO,            /* 1, diameters of duct and cable, of three cables in a duct */
+    HAWSER_LIMIT_CLEARANCE,            /* m, over the uppermost cable in a duct */
+    HAWSER_LIMIT_FILL,                 /* 1, share of a duct that is filled */
+    HAWSER_LIMIT_WEIGHT_CORRECTION,    /* 1, weight correction of several cables in a duct */
+    HAWSER_LIMIT_CLEARANCE_ENVIRONMENT /* m, least between cable or rope and the environment */
 } hawser_limit_kind;
 
 /* One limit of a pull. */

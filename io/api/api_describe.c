@@ -233,7 +233,7 @@ typedef struct Description {
     PieceRow *piece;     /* [n_pieces] */
     RouteRow *leg;       /* [n_route] */
     SurfaceRow *surface; /* [n_surfaces] */
-    Mesh mesh;
+    SegmentMesh mesh;
     double wave; /* m, for the cable in compression (ME14); 0: none */
     int n_chains;
     ChainRow chain[STRANDS_MAX]; /* [n_chains] for several; none for one */
@@ -512,7 +512,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     free(d.leg);
     free(d.surface);
     free(d.demand);
-    mesh_free(&d.mesh);
+    segment_mesh_free(&d.mesh);
     sim_free(sim);
     return status;
 }

@@ -478,23 +478,6 @@ static void line_notes_say(Survey *s, const Alignment *chosen)
     if (others > 0) survey_ignore(s, what);
 }
 
-/* Returns the path of a file that a section names, relative to the case's folder; malloc'ed. */
-static hawser_status path_find(const CaseReader *r, const CaseNode *section, const char *file, char **path)
-{
-    const CaseNode *const node = case_node_key(section, "file");
-    const int absolute = *file == '/';
-    *path = NULL;
-    if (!node) return case_key_error(r->err, section, "file", "missing: it gives the line");
-    if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
-    if (!r->folder)
-        return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");
-    const size_t size = strlen(r->folder) + strlen(file) + 2;
-    *path = malloc(size);
-    if (!*path) return error_memory(r->err);
-    snprintf(*path, size, "%s%s%s", absolute ? "" : r->folder, absolute ? "" : "/", file);
-    return HAWSER_OK;
-}
-
 enum { IGNORE_MOST = 2000 };
 
 /* Reads names of columns, each onto a line of its own. */
@@ -522,7 +505,7 @@ static hawser_status pick_read(const CaseReader *r, const CaseNode *section, con
     out->ignore = *ignore ? ignore : NULL;
     out->name = *in->name ? in->name : NULL;
     out->layer = *in->layer ? in->layer : NULL;
-    hawser_status status = path_find(r, section, in->file, path);
+    hawser_status status = case_file_path(r, section, in->file, path);
     out->path = *path;
     if (status || !*in->units) return status;
     status = line_unit(in->units, &out->unit, &why);

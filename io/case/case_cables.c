@@ -350,7 +350,7 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
 }
 
 /* Counts the segments of the pieces that leave their length open. */
-static hawser_status segments_take(const CaseReader *r, const CaseNode *node, const Mesh *mesh, const char *open)
+static hawser_status segments_take(const CaseReader *r, const CaseNode *node, const SegmentMesh *mesh, const char *open)
 {
     SceneDef *const def = r->def;
     hawser_status status = HAWSER_OK;
@@ -371,7 +371,7 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     if (!open) return error_memory(r->err);
     for (int p = 0; p < def->n_pieces; p++) any |= open[p] = !(def->pieces[p].segments > 0);
     Supports map = {.def = def, .route = &r->route};
-    Mesh mesh = {0};
+    SegmentMesh mesh = {0};
     hawser_status status = any && !def->rod.present ? supports_build(def, &r->route, &map, r->err) : HAWSER_OK;
     if (any && !status) status = mesh_find(&map, &mesh, r->err);
     if (any && !status) status = segments_take(r, node, &mesh, open);
@@ -380,7 +380,7 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     if (buckling_bends(def, &pushed)) mesh.wave = buckling_shown(&pushed);
     if (mesh.wave > 0 && !status) status = segments_take(r, node, &mesh, open);
     free(open);
-    mesh_free(&mesh);
+    segment_mesh_free(&mesh);
     supports_free(&map);
     return status;
 }

@@ -21,7 +21,7 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
     case_route_heights, case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin,
     case_mount, case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel, case_jam,
     case_command, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory, case_theory_friction,
-    case_theory_wear, case_theory_machine, case_limits, case_medium, case_launch;
+    case_theory_wear, case_theory_machine, case_limits, case_medium, case_launch, case_environment;
 
 /* Returns a copy of the tree in which other names of keys that people type (diameter of a duct) are replaced by the
  * keys' own; NULL: it has none. Errors: INPUT (both names), MEMORY. */
@@ -94,6 +94,11 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
 /* Reads a contact law's stiffness, whose unit depends on the exponent e. */
 hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k);
 hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node);
+
+/* Reads the models of the environment, and writes their equipment into the tree as a drawing's (EN3). */
+hawser_status case_environment_read(CaseReader *r, const CaseNode *list);
+/* Called after the friction: that of the layers. */
+hawser_status case_environment_settle(CaseReader *r, const CaseNode *list);
 
 /* Places of the rollers of a row. */
 enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH, GUIDE_LEFT, GUIDE_RIGHT };

@@ -69,6 +69,7 @@ static const CaseKey top_keys[] = {
     {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .section = &case_route},
     {"rod", KEY_MAP, .otherwise = "none", .section = &case_rod},
     {"drawing", KEY_MAP, .otherwise = "none", .section = &case_drawing},
+    {"environment", KEY_LIST, .otherwise = "none", .form = "models one by one", .section = &case_environment},
     {"lead_in", KEY_MAP, .otherwise = "none", .section = &case_lead_in},
     {"reel", KEY_MAP, .otherwise = "none", .section = &case_reel},
     {"rollers", KEY_MAP, .otherwise = "none", .section = &case_rollers},
@@ -174,6 +175,7 @@ static const struct {
     {"rod", case_rod_read},
     {"route", case_route_read},
     {"drawing", case_drawing_read},
+    {"environment", case_environment_read},
     {"rod", case_rod_check},
     {"lead_in", case_lead_in_read},
     {"drive", case_drive_read},
@@ -186,6 +188,7 @@ static const struct {
     {"surfaces", case_surfaces_read},
     {"obstacles", case_obstacles_read},
     {"friction", case_frictions_settle},
+    {"environment", case_environment_settle},
     {"medium", case_medium_read},
     {"launch", case_launch_read},
     {"jams", case_jams_read},
@@ -220,8 +223,9 @@ static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_e
     Library *library = NULL;
     scene_def_defaults(def);
     hawser_status status = r.units ? library_expand(tree, &typed, &library, err) : error_memory(err);
-    if (!status && !typed && case_node_key(tree->root, "drawing")) {
-        typed = node_clone(tree->root, NULL); /* a drawing adds to the copy */
+    const int drawn = case_node_key(tree->root, "drawing") || case_node_key(tree->root, "environment");
+    if (!status && !typed && drawn) {
+        typed = node_clone(tree->root, NULL); /* a drawing or a model adds to the copy */
         if (!typed) status = error_memory(err);
     }
     if (typed) r.root = r.own = typed;

@@ -64,23 +64,21 @@ static int tree_put_length(CaseNode *map, const CaseNode *like, const char *key,
 
 enum { FILE_MAX = 1000, NAME_ROOM = 32 };
 
-static const char *const fars[] = {"error", "skip", NULL};
+const char *const case_fars[] = {"error", "skip", NULL};
 
 enum { FAR_ERROR, FAR_SKIP };
 
 typedef struct DrawingRecord {
     char file[FILE_MAX];
-    double unit, tolerance;
-    int heights, far;
+    double unit;
+    MarksRule rule;
 } DrawingRecord;
 
 static const CaseKey drawing_keys[] = {
     {"file", KEY_TEXT, .otherwise = "none: or `marks`", AT(DrawingRecord, file)},
     {"marks", KEY_LIST, .otherwise = "none", .form = "marks one by one", .section = &case_drawn_mark},
     {"unit", KEY_NUMBER, DIM_LENGTH, .otherwise = "as the file says", ABOVE(0, 1e4), AT(DrawingRecord, unit)},
-    {"tolerance", KEY_NUMBER, DIM_LENGTH, .fallback = "1 m", ABOVE(0, 1e3), AT(DrawingRecord, tolerance)},
-    {"heights", KEY_FLAG, .fallback = "false", AT(DrawingRecord, heights)},
-    {"far", KEY_CHOICE, .fallback = "error", .choices = fars, AT(DrawingRecord, far)},
+    MARKS_KEYS(DrawingRecord, rule),
     {"layers", KEY_MAP, .required = 1, .form = "what the marks of each layer are", .section = &case_drawn_layer},
 };
 
@@ -135,10 +133,10 @@ static const double BEYOND = 50, ASIDE = 0.01, TURNED = 0.7071, EQUALLY = 0.05;
 /* The section while it is read. */
 typedef struct Drawing {
     CaseReader *r;
-    const CaseNode *node;
-    DrawingRecord record;
-    const char *path; /* path of the file, for messages */
-    Survey survey;
+    const CaseNode *node, *layers; /* the section, and what the marks of each layer are */
+    const MarksRule *rule;
+    const char *path; /* path of the file, for messages; NULL: the marks are the case's */
+    Survey *survey;
     RouteGrid grid;
 } Drawing;
 
@@ -164,7 +162,7 @@ static hawser_status mark_error(const Drawing *d, const SurveyMark *mark, const 
     va_start(list, format);
     vsnprintf(why, sizeof why, format, list);
     va_end(list);
-    case_path(case_node_key(case_node_key(d->node, "layers"), mark->layer), NULL, path);
+    case_path(case_node_key(d->layers, mark->layer), NULL, path);
     case_place(d->path ? d->path : d->node->origin, (int)mark->line, where);
     return error_set(d->r->err, HAWSER_ERR_INPUT, "%s: key '%.80s': mark '%.60s' %s", where, path, mark->name, why);
 }
@@ -172,38 +170,36 @@ static hawser_status mark_error(const Drawing *d, const SurveyMark *mark, const 
 /* --------------------------------------------------------------------------------------------------- the marks */
 
 /* Reads the file, relative to the case's folder. */
-static hawser_status file_read(Drawing *d)
+static hawser_status file_read(const CaseReader *r, const CaseNode *section, const DrawingRecord *in, Survey *out)
 {
-    const CaseNode *const node = case_node_key(d->node, "file");
-    const int absolute = *d->record.file == '/';
-    const SurveyOptions options = {.unit = d->record.unit, .marks = 1};
-    char path[2 * FILE_MAX], where[CASE_PLACE_MAX];
-    if (!absolute && !d->r->folder) {
-        return case_value_error(d->r->err, node,
-                                ": a case that is a text has no folder to look in: load it from a file");
-    }
-    const int length =
-        snprintf(path, sizeof path, "%s%s%s", absolute ? "" : d->r->folder, absolute ? "" : "/", d->record.file);
-    if (length >= (int)sizeof path) return case_value_error(d->r->err, node, " is too long a path");
+    const CaseNode *const node = case_node_key(section, "file");
+    const SurveyOptions options = {.unit = in->unit, .marks = 1};
+    char where[CASE_PLACE_MAX], *path = NULL;
     hawser_error why = {HAWSER_OK, ""};
-    const hawser_status status = survey_read(path, &options, &d->survey, &why);
-    if (!status) return file_marks_add(&d->r->def->files, path, d->r->err);
-    return error_set(d->r->err, status, "%s: %.700s", case_place(node->origin, node->line, where), why.message);
+    hawser_status status = case_file_path(r, section, in->file, &path);
+    if (status) return status;
+    status = survey_read(path, &options, out, &why);
+    if (status)
+        error_set(r->err, status, "%s: %.700s", case_place(node->origin, node->line, where), why.message);
+    else
+        status = file_marks_add(&r->def->files, path, r->err);
+    free(path);
+    return status;
 }
 
-static hawser_status marks_read(Drawing *d, const CaseNode *list)
+static hawser_status marks_read(const CaseReader *r, const CaseNode *list, Survey *out)
 {
     for (const CaseNode *item = list->first; item; item = item->next) {
         MarkRecord in = {.at = V3_ZERO};
-        const hawser_status status = case_section_read(d->r, item, &case_drawn_mark, &in);
+        const hawser_status status = case_section_read(r, item, &case_drawn_mark, &in);
         if (status) return status;
         const int placed = case_node_key(item, "point") != NULL;
         if (placed == !isnan(in.station)) {
-            return case_key_error(d->r->err, item, placed ? "station" : "point",
+            return case_key_error(r->err, item, placed ? "station" : "point",
                                   placed ? "beside 'point': give either" : "missing: give 'point' or 'station'");
         }
-        SurveyMark *const mark = survey_add_mark(&d->survey, in.name, in.layer);
-        if (!mark) return error_memory(d->r->err);
+        SurveyMark *const mark = survey_add_mark(out, in.name, in.layer);
+        if (!mark) return error_memory(r->err);
         mark->at = placed ? in.at : v3(NAN, NAN, NAN);
         mark->station = in.station;
         mark->heading = in.heading;
@@ -252,41 +248,43 @@ static double along_of(const Drawing *d, double station)
  * lists of equipment. */
 static hawser_status station_check(const Drawing *d, const Placed *p)
 {
-    const double along = along_of(d, p->mark->station), s = p->near.s, tolerance = d->record.tolerance;
+    const double along = along_of(d, p->mark->station), s = p->near.s, tolerance = d->rule->tolerance;
+    char path[CASE_PATH_MAX];
     if (fmin(fabs(s - along), fabs(s - p->mark->station)) <= tolerance) return HAWSER_OK;
     return mark_error(d, p->mark,
                       "is at %.6g m along the route by x and y, and at %.6g m by its station %.6g m: allowed are %g m "
-                      "between them (drawing.tolerance)",
-                      s, along, p->mark->station, tolerance);
+                      "between them (%s.tolerance)",
+                      s, along, p->mark->station, tolerance, case_path(d->node, NULL, path));
 }
 
 /* Finds the place of a mark by (PC1), or by its station. *far: too far away, which is no error with `far: skip`. */
 static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p, int *far)
 {
     const SurveyMark *const mark = p->mark;
-    const double tolerance = d->record.tolerance, length = d->r->route.length;
+    const double tolerance = d->rule->tolerance, length = d->r->route.length;
     const int at_end = !layer->what && layer->record.mark != MARK_HEAD;
+    char path[CASE_PATH_MAX];
     *far = 0;
     const int placed = !isnan(mark->at.x), of_file = d->path != NULL;
     if (!placed) {
         p->near = (Nearest){.s = of_file ? along_of(d, mark->station) : mark->station, .other = INFINITY};
     } else {
-        p->near = route_nearest(&d->grid, v3_sub(mark->at, d->r->def->route_origin), d->record.heights);
+        p->near = route_nearest(&d->grid, v3_sub(mark->at, d->r->def->route_origin), d->rule->heights);
     }
     const Nearest *const near = &p->near;
     const double past = at_end ? 0 : fmax(0, fmax(-near->s, near->s - length));
     const double distance = fmax(near->distance, past - tolerance > 0 ? past : 0);
     if (distance > tolerance) {
         *far = 1;
-        if (d->record.far == FAR_SKIP) return HAWSER_OK;
+        if (d->rule->far == FAR_SKIP) return HAWSER_OK;
         return mark_error(d, mark,
-                          "is %.4g m from the route, nearest at %.6g m along it: allowed are %g m (drawing.tolerance); "
+                          "is %.4g m from the route, nearest at %.6g m along it: allowed are %g m (%s.tolerance); "
                           "with 'far: skip' it is left out",
-                          distance, near->s, tolerance);
+                          distance, near->s, tolerance, case_path(d->node, NULL, path));
     }
     if (near->other <= tolerance && near->other - near->distance < EQUALLY * tolerance) {
         return mark_error(d, mark, "is as near to %.6g m along the route as to %.6g m: %s", near->s, near->other_s,
-                          d->record.heights ? "move it" : "give it a height, with 'heights: true'");
+                          d->rule->heights ? "move it" : "give it a height, with 'heights: true'");
     }
     return placed && !isnan(mark->station) ? station_check(d, p) : HAWSER_OK;
 }
@@ -366,7 +364,7 @@ static hawser_status pit_put(const Drawing *d, const Layer *layer, const Placed 
 static hawser_status end_put(const Drawing *d, const Layer *layer, const Placed *p)
 {
     SceneDef *const def = d->r->def;
-    const double s = p->near.s, length = d->r->route.length, tolerance = d->record.tolerance;
+    const double s = p->near.s, length = d->r->route.length, tolerance = d->rule->tolerance;
     const CaseNode *const winch = case_node_key(case_node_key(d->r->root, "drive"), "winch");
     const CaseNode *const take_in = case_node_key(winch, "take_in");
     const CaseNode *const reel = case_node_key(d->r->root, "reel");
@@ -449,8 +447,8 @@ static hawser_status layer_place(const Drawing *d, const CaseNode *node)
     if (status) return status;
     layer.drawn = drawn_add(d, node->key, layer.what ? layer.what->key : meanings[layer.record.mark]);
     if (!layer.drawn) return error_memory(d->r->err);
-    for (int i = 0; i < d->survey.n_marks && !status; ++i) {
-        Placed p = {.mark = &d->survey.mark[i]};
+    for (int i = 0; i < d->survey->n_marks && !status; ++i) {
+        Placed p = {.mark = &d->survey->mark[i]};
         int far = 0;
         if (strcmp(p.mark->layer, node->key) != 0) continue;
         ++layer.drawn->marks;
@@ -463,26 +461,26 @@ static hawser_status layer_place(const Drawing *d, const CaseNode *node)
         layer.drawn->farthest = fmax(layer.drawn->farthest, p.near.distance);
     }
     if (status || layer.drawn->marks > 0) return status;
-    const char *const some = d->survey.n_marks > 0 ? d->survey.mark[0].layer : NULL;
+    const char *const some = d->survey->n_marks > 0 ? d->survey->mark[0].layer : NULL;
     return case_key_error(d->r->err, node, NULL, "there is no mark on this layer%s%.60s%s",
                           some ? ": the first is on '" : "", some ? some : "", some ? "'" : "");
 }
 
 /* Lists marks on layers that the map does not have, and everything else in the file. */
-static hawser_status rest_list(const Drawing *d, const CaseNode *layers)
+static hawser_status rest_list(const Drawing *d)
 {
-    for (int i = 0; i < d->survey.n_marks; ++i) {
-        const char *const layer = d->survey.mark[i].layer;
-        if (case_node_key(layers, layer)) continue;
+    for (int i = 0; i < d->survey->n_marks; ++i) {
+        const char *const layer = d->survey->mark[i].layer;
+        if (case_node_key(d->layers, layer)) continue;
         int k = 0;
         while (k < d->r->def->n_drawn && strcmp(d->r->def->drawn[k].layer, layer) != 0) ++k;
         if (k == d->r->def->n_drawn && !drawn_add(d, layer, "not in `layers`")) return error_memory(d->r->err);
         ++d->r->def->drawn[k].marks;
     }
-    for (int i = 0; i < d->survey.n_ignored; ++i) {
-        DrawnDef *const drawn = drawn_add(d, "", d->survey.ignored[i].what);
+    for (int i = 0; i < d->survey->n_ignored; ++i) {
+        DrawnDef *const drawn = drawn_add(d, "", d->survey->ignored[i].what);
         if (!drawn) return error_memory(d->r->err);
-        drawn->marks = (int)fmin(1e9, (double)d->survey.ignored[i].times);
+        drawn->marks = (int)fmin(1e9, (double)d->survey->ignored[i].times);
     }
     return HAWSER_OK;
 }
@@ -505,28 +503,40 @@ static hawser_status targets_check(const Drawing *d)
     return HAWSER_OK;
 }
 
-static hawser_status drawing_place(Drawing *d)
+/* Places all marks of the drawing's layers. */
+static hawser_status all_place(Drawing *d)
 {
-    const CaseNode *const marks = case_node_key(d->node, "marks"), *const layers = case_node_key(d->node, "layers");
-    hawser_status status = HAWSER_OK;
-    if (!*d->record.file && !marks) return case_key_error(d->r->err, d->node, "file", "missing: give it, or 'marks'");
-    if (*d->record.file && marks) return case_key_error(d->r->err, marks, NULL, "beside 'file': give either");
-    status = targets_check(d);
-    if (!status) status = marks ? marks_read(d, marks) : file_read(d);
-    if (!marks) d->path = d->record.file;
+    hawser_status status = targets_check(d);
     if (!status) status = route_grid_build(&d->r->route, BEYOND, &d->grid, d->r->err);
-    for (const CaseNode *layer = layers->first; layer && !status; layer = layer->next) status = layer_place(d, layer);
-    return status ? status : rest_list(d, layers);
+    for (const CaseNode *layer = d->layers->first; layer && !status; layer = layer->next)
+        status = layer_place(d, layer);
+    route_grid_clear(&d->grid);
+    return status;
+}
+
+hawser_status case_marks_place(CaseReader *r, const CaseNode *node, const CaseNode *layers, const char *path,
+                               const MarksRule *rule, Survey *marks)
+{
+    Drawing d = {.r = r, .node = node, .layers = layers, .rule = rule, .path = path, .survey = marks};
+    return all_place(&d);
 }
 
 hawser_status case_drawing_read(CaseReader *r, const CaseNode *node)
 {
-    Drawing d = {.r = r, .node = node};
+    const CaseNode *const marks = case_node_key(node, "marks");
+    DrawingRecord in = {.unit = NAN};
+    Survey survey = {0};
+    Drawing d = {.r = r, .node = node, .layers = case_node_key(node, "layers"), .rule = &in.rule, .survey = &survey};
     if (!node) return HAWSER_OK;
     if (r->def->rod.present) return case_key_error(r->err, node, NULL, "needs a route: not with 'rod'");
-    hawser_status status = case_section_read(r, node, &case_drawing, &d.record);
-    if (!status) status = drawing_place(&d);
-    route_grid_clear(&d.grid);
-    survey_clear(&d.survey);
+    hawser_status status = case_section_read(r, node, &case_drawing, &in);
+    if (status) return status;
+    if (!*in.file && !marks) return case_key_error(r->err, node, "file", "missing: give it, or 'marks'");
+    if (*in.file && marks) return case_key_error(r->err, marks, NULL, "beside 'file': give either");
+    if (!marks) d.path = in.file;
+    status = marks ? marks_read(r, marks, &survey) : file_read(r, node, &in, &survey);
+    if (!status) status = all_place(&d);
+    if (!status) status = rest_list(&d);
+    survey_clear(&survey);
     return status;
 }

@@ -379,6 +379,22 @@ hawser_status case_list_read(const CaseReader *r, const CaseNode *list, size_t s
     return status;
 }
 
+hawser_status case_file_path(const CaseReader *r, const CaseNode *section, const char *file, char **path)
+{
+    const CaseNode *const node = case_node_key(section, "file");
+    const int absolute = *file == '/';
+    *path = NULL;
+    if (!node) return case_key_error(r->err, section, "file", "missing: it names the file");
+    if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
+    if (!r->folder)
+        return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");
+    const size_t size = strlen(r->folder) + strlen(file) + 2;
+    *path = malloc(size);
+    if (!*path) return error_memory(r->err);
+    snprintf(*path, size, "%s%s%s", absolute ? "" : r->folder, absolute ? "" : "/", file);
+    return HAWSER_OK;
+}
+
 /* Inputs of a case: every key that has a value, and its source. Four sources, in this order: written values,
  * in the tree's order (with those that a `type` brought from the catalogue); estimates; the defaults of missing keys in
  * the tables. A default that several items of a list share is listed once, with N for the item. */

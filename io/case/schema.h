@@ -118,6 +118,9 @@ const CaseKey *case_key_of(const CaseSection *section, const char *name);
 const char *case_key_meaning(const CaseSection *section, const CaseKey *key);
 /* Text on a section as a whole, from the same file; "": there is none. */
 const char *case_section_note(const CaseSection *section);
+/* Finds the path of the file that a section's key `file` names, relative to the case's folder; malloc'ed, the caller's.
+ * Errors: INPUT (a case that is a text has no folder), MEMORY. */
+hawser_status case_file_path(const CaseReader *r, const CaseNode *section, const char *file, char **path);
 /* Adds to r->def->assumptions what of a file that node names is not in the route. Errors: MEMORY. */
 hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times);
 /* Does the same for a value that was found in the file, or estimated from it, and decides something. */

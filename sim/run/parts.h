@@ -30,7 +30,7 @@ typedef struct Calls {
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
-    Mesh mesh; /* figures of segment lengths, for conditions on the mesh */
+    SegmentMesh mesh; /* figures of segment lengths, for conditions on the mesh */
     Probes probes;
     Modes modes;
     Positions positions; /* n is 0 in other analyses */

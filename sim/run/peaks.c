@@ -210,12 +210,14 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     peaks->when = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->when);
     if (!peaks->roller || !peaks->when) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
-    return compression_new(&peaks->pushed, scene, err);
+    const hawser_status status = clearances_new(&scene->def.environment, &peaks->clear, err);
+    return status ? status : compression_new(&peaks->pushed, scene, err);
 }
 
 void peaks_free(Peaks *peaks)
 {
     compression_free(&peaks->pushed);
+    clearances_free(&peaks->clear);
     free(peaks->roller);
     free(peaks->when);
     *peaks = (Peaks){0};
@@ -335,6 +337,17 @@ static double drawn_with(const Scene *scene, const hawser_sample *sample)
     return scene->winch->present ? sample->winch_speed : sample->axial_speed[sample->first];
 }
 
+/* Cable and rope on the route: what lies before it stands for the reel. */
+static void clearances_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    for (int i = 0; peaks->clear.tree && i < scene->chain.n; ++i) {
+        const double s0 = sample_joint_place(scene, sample, i), s1 = sample_joint_place(scene, sample, i + 1);
+        const Vec3 p = v3_load(kin->p, i), arm = v3_scale(scene->chain.half[i], axis_of(kin, i));
+        if (s1 < 0 || s0 > scene->route.length) continue;
+        clearances_add(&peaks->clear, v3_sub(p, arm), v3_add(p, arm), scene->chain.radius[i], s0, s1, sample->t);
+    }
+}
+
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
@@ -347,6 +360,7 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     rollers_record(peaks, scene, kin, sample);
     pushes_record(peaks, sample);
     compression_record(&peaks->pushed, scene, sample);
+    clearances_record(peaks, scene, kin, sample);
 }
 
 /* Theory over the whole travel of a run, for the limits. */
@@ -751,7 +765,13 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     if (stats->n_surfaces == 0) f[HAWSER_LIMIT_CONTACT_PRESSURE].absent = 1;
+    const int clear = peaks->recorded > 0 && peaks->clear.tree;
+    const Finding unknown = f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT];
     findings_of_scene(&scene->setup, f);
+    if (clear)
+        f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = clearances_finding(&def->environment, peaks->clear.near, true);
+    else if (!f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT].absent)
+        f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = unknown;
     if (strand_is_rope(&def->strand)) f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
     if (def->strand.present && !peaks->borne)
         f[HAWSER_LIMIT_ROLLER_STEADY].absent = f[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;

@@ -8,6 +8,7 @@
 #include "sim/run/stats.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
+#include "theory/environment.h"
 #include "theory/expected.h"
 
 typedef struct Borne {
@@ -86,6 +87,7 @@ typedef struct Peaks {
     int n_rollers;
     double *roller;     /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
     PeakMoment *when;   /* [n_rollers] time of that */
+    Clearances clear;   /* distances to the environment */
     const Borne *borne; /* in the first of several chains: loads of rollers by all; else NULL */
 } Peaks;
 

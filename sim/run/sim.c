@@ -292,7 +292,7 @@ Sim *sim_free(Sim *s)
     if (!s) return NULL;
     for (int k = 1; k < sim_chains(s); ++k) sim_free(sim_chain(s, k));
     s->together = together_free(s->together);
-    mesh_free(&s->mesh);
+    segment_mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
     peaks_free(&s->peaks);
@@ -708,6 +708,8 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     checkpoint_text(c, "p->pusher", &p->pusher);
     checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
     checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
+    const size_t layers = p->clear.near ? (size_t)p->clear.mesh.n_layers : 0;
+    checkpoint_put(c, "p->clear.near", p->clear.near, layers * sizeof *p->clear.near);
     Compression *const pushed = &p->pushed;
     CHECKPOINT_UP_TO(c, pushed, Compression, joints);
     checkpoint_counts(c, 2, (const int[]){p->recorded, pushed->rows});

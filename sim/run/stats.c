@@ -126,7 +126,7 @@ static double clamp_carries(const Scene *scene)
 }
 
 /* Share of the pull: the clamp (EB3), and the segment lengths that places of the route require (ME1)-(ME7). */
-static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
+static double mesh_share(const Scene *scene, const SegmentMesh *mesh, double pull)
 {
     int worst;
     const double clamp = pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0;
@@ -140,7 +140,7 @@ static double waver_share(const Scene *scene)
     return scene->def.n_surfaces > 0 ? PARTLY : 1;
 }
 
-ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull)
+ErrorShares error_shares(const Scene *scene, const SegmentMesh *mesh, const BalanceWindow *books, double pull)
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
     ErrorShares out = {.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,

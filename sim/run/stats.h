@@ -36,7 +36,7 @@ typedef struct ErrorShares {
 } ErrorShares;
 
 /* books: NULL if nothing has moved; pull: mean of the steady window, N. */
-ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
+ErrorShares error_shares(const Scene *scene, const SegmentMesh *mesh, const BalanceWindow *books, double pull);
 /* Figures by which a run is judged: time-weighted means over the steady window, peaks, and the tension at stations of
  * the route. Memory does not grow with the run. */
 

@@ -69,7 +69,7 @@ Unsettled steadiness_refused(const Steadiness *s, int rests);
 typedef struct TrustFacts {
     const Scene *scene;
     double t, end; /* s, reached and requested */
-    const Mesh *mesh;
+    const SegmentMesh *mesh;
     double mesh_most; /* largest share of the pull that the mesh adds, by two passes; INFINITY: not known */
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */

@@ -14,7 +14,7 @@ LIBRARIES = [
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"expat\.h$", r"survey/"),
-    (r"jansson\.h$", r"io/|survey/map\.c|study/(evaluate|workers)\.c"),
+    (r"jansson\.h$", r"io/|survey/(map|gltf)\.c|study/(evaluate|workers)\.c"),
     (r"yaml\.h$", r"io/"),
     (r"hdf5\w*\.h$", r"io/|study/table\.c"),
     (r"zlib\.h$", r"io/report/"),

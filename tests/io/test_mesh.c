@@ -68,9 +68,9 @@ TEST(long_segments_jam)
 }
 
 /* The mesh of a case as its file says it. */
-static Mesh mesh_of(const char *text, const char *key, const char *value, SceneDef *def)
+static SegmentMesh mesh_of(const char *text, const char *key, const char *value, SceneDef *def)
 {
-    Mesh mesh;
+    SegmentMesh mesh;
     expect_good(text, key, value, def);
     Route route = route_of(def);
     Supports map = {.def = def, .route = &route};
@@ -87,7 +87,7 @@ TEST(errors_rise_with_length)
     static const char *const scenes[] = {"mesh-hold-downs", "mesh-s-bends", "trust-duct", "rod-end"};
     for (int k = 0; k < 4; ++k) {
         SceneDef def;
-        Mesh mesh = mesh_of(data_text(scenes[k]), NULL, NULL, &def);
+        SegmentMesh mesh = mesh_of(data_text(scenes[k]), NULL, NULL, &def);
         check_at_least(mesh.n, 1);
         for (int i = 0; i < mesh.n; ++i) {
             double last = 0;
@@ -99,7 +99,7 @@ TEST(errors_rise_with_length)
             const double h = mesh_place_length(&mesh.place[i], 1e-3);
             if (h < MESH_USUAL) check_share(mesh_error(&mesh.place[i], h), 1e-3, 1e-6);
         }
-        mesh_free(&mesh);
+        segment_mesh_free(&mesh);
         scene_def_clear(&def);
     }
 }
@@ -181,12 +181,12 @@ TEST(askew_segments_are_pressed)
 TEST(pairs_reach_by_both_radii)
 {
     SceneDef def;
-    Mesh mesh = mesh_of(data_text("trust-askew"), NULL, NULL, &def);
+    SegmentMesh mesh = mesh_of(data_text("trust-askew"), NULL, NULL, &def);
     assert_int_equal(mesh.n, 1);
     check_close(mesh.place[0].reach, 0.08 + 0.025, 1e-12);
     check_close(mesh.place[0].play, 0, 1e-4);
     assert_int_equal(mesh.place[0].pairs, 4);
-    mesh_free(&mesh);
+    segment_mesh_free(&mesh);
     scene_def_clear(&def);
 }
 
@@ -227,11 +227,11 @@ TEST(neighbours_say_the_spacing)
                  "route: {head_at: 20 m, pieces: [{straight: %s}, {bend: 10 deg, radius: 2.3 m, plane: up}, {straight: "
                  "13 m}]}",
                  kind[k].bend);
-        Mesh mesh = mesh_of(data_with("trust", route, text), "rollers.along.radius", kind[k].radius, &def);
+        SegmentMesh mesh = mesh_of(data_with("trust", route, text), "rollers.along.radius", kind[k].radius, &def);
         assert_int_equal(mesh.n, 1);
         check_close(mesh.place[0].pitch, kind[k].pitch, 1e-9);
         assert_int_equal(mesh.place[0].wrapped > 0, kind[k].pitch <= 0);
-        mesh_free(&mesh);
+        segment_mesh_free(&mesh);
         scene_def_clear(&def);
     }
 }
@@ -241,13 +241,13 @@ TEST(shares_of_a_larger_pull_are_less)
 {
     SceneDef def;
     int worst;
-    Mesh mesh = mesh_of(data_text("trust-duct"), NULL, NULL, &def);
+    SegmentMesh mesh = mesh_of(data_text("trust-duct"), NULL, NULL, &def);
     const double there = mesh.place[0].tension, full = mesh_given(&mesh, &def, 0, &worst);
     assert_int_equal(mesh.n, 1);
     check_above(full, 0);
     check_share(mesh_given(&mesh, &def, there / 2, &worst), full, 1e-12);
     check_share(mesh_given(&mesh, &def, 4 * there, &worst), full / 4, 1e-12);
-    mesh_free(&mesh);
+    segment_mesh_free(&mesh);
     scene_def_clear(&def);
 }
 
@@ -256,10 +256,10 @@ TEST(there_is_an_end_to_it)
 {
     SceneDef def;
     int worst;
-    Mesh mesh = mesh_of(narrow_duct(), "chain", "[{cable: c, length: 20 km}]", &def);
+    SegmentMesh mesh = mesh_of(narrow_duct(), "chain", "[{cable: c, length: 20 km}]", &def);
     assert_int_equal(def.pieces[0].segments, MESH_SEGMENTS_MAX);
     check_above(mesh_given(&mesh, &def, 0, &worst), MESH_ALLOWED);
-    mesh_free(&mesh);
+    segment_mesh_free(&mesh);
     scene_def_clear(&def);
 }
 

@@ -39,6 +39,7 @@ const LIMIT_NAMES: Record<string, string> = {
   speed: 'Speed of the pull',
   jam_ratio: 'Jam ratio',
   clearance: 'Clearance in the duct',
+  clearance_environment: 'Clearance from the environment',
   fill: 'Fill of the duct',
   weight_correction: 'Weight correction factor',
   restart: 'Restart from rest',
@@ -52,7 +53,7 @@ export function inWords(name: string): string {
 
 /** The unit in which a limit is shown: small lengths in millimetres. */
 export function limitUnit(limit: { name: string; unit: string }): Unit {
-  if (limit.name === 'clearance') return 'mm';
+  if (limit.name.startsWith('clearance')) return 'mm';
   return isUnit(limit.unit) ? limit.unit : '1';
 }
 

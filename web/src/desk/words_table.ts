@@ -285,6 +285,7 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['limit run_away', '溜放', 'Weglaufen', 'running away'],
   ['limit roller_steady', '滚轮荷载（匀速）', 'Rollenlast bei Fahrt', 'roller load at speed'],
   ['limit roller_peak', '滚轮荷载（峰值）', 'Rollenlast, Spitze', 'roller load, peak'],
+  ['limit clearance_environment', '与环境净距', 'Abstand zur Umgebung', 'clearance from the environment'],
   ['limit contact_pressure', '接触压力', 'Auflagedruck', 'contact pressure'],
   ['limit alpha', '冲击系数', 'Stoßfaktor', 'surge'],
   ['limit speed', '速度', 'Geschwindigkeit', 'speed'],

@@ -16,7 +16,7 @@ const WORD: Record<Standing, string> = {
 };
 
 /** Limits whose value has to be at least the bound; of all others it has to be at most that. */
-const AT_LEAST = new Set(['bend_radius', 'rope_bend', 'clearance']);
+const AT_LEAST = new Set(['bend_radius', 'rope_bend', 'clearance', 'clearance_environment']);
 
 function sentence(limit: Limit, context: Context): HTMLElement {
   const { units } = context;
