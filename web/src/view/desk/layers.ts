@@ -67,6 +67,6 @@ export class LayersPanel {
     this.exact.textContent =
       shown < given
         ? `${number(shown)} triangles of ${number(given)}, at most ${length((error ?? 0) + step)} from them`
-        : `all ${number(given)} triangles, to ${length(step)}`;
+        : `all ${number(given)} triangles, corners rounded to ${length(step)}`;
   }
 }
