@@ -36,7 +36,7 @@ typedef struct Foot {
     Vec3 flat;   /* m from the point: where it would be without the smoothing; tells feet apart */
 } Foot;
 
-enum { FEET_MAX = 4 }; /* the nearest ones of a point that are kept: three walls meet in a corner */
+enum { FEET_MAX = 3 }; /* the nearest ones of a point that are kept: three walls meet in a corner */
 
 /* A triangle's exact distance from a point, work space of facets_feet. */
 typedef struct FacetNear {

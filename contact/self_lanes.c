@@ -19,10 +19,6 @@ LANE_INLINE Lane3 scaled(double s, Lane3 a) { return l3_scale(lane_set(s), a); }
 LANE_INLINE Lane3 plus(Lane3 a, double s, Lane3 b) { return l3_axpy(a, lane_set(s), b); }
 LANE_INLINE Lane3 rejected(Lane3 a, Lane3 unit) { return l3_axpy(a, -l3_dot(unit, a), unit); }
 
-/* A slot's shift at constant direction, and the change of its arm by its turn, m. */
-LANE_INLINE Lane3 shift_of(void) { return l3_scale(MOVES, AXES); }
-LANE_INLINE Lane3 turn_of(const PatchSlot *slot) { return l3_cross(l3_scale(1 - MOVES, AXES), l3_spread(slot->r)); }
-
 /* Change of the piece's two ends and of the radius. */
 typedef struct Ends {
     Lane v[2];            /* the feet's parameters */
@@ -31,13 +27,13 @@ typedef struct Ends {
     Lane radius;          /* m */
 } Ends;
 
-/* Resulting change of the forces. */
-typedef struct Forces {
-    Lane3 end[2];       /* f_a, N */
-    Lane3 couple[2][2]; /* [side][a], N m */
-} Forces;
+/* Forces on the two ends and couples on one side, which all slots of that side share by their weights. */
+typedef struct Shares {
+    Lane3 end[2], couple[2]; /* changes, N and N m */
+    Lane3 on[2], turn[2];    /* the present ones times the feet's changes; 0 where feet do not move */
+} Shares;
 
-/* A displacement or a rotation of a slot: the feet follow (CC13), (CC14). */
+/* A shift of a slot or a turn of its arm, m: the feet follow (CC13), (CC14). */
 LANE_INLINE Ends ends_vary(const Patch *p, const PatchSlot *slot, Lane3 shift, Lane3 turned)
 {
     const double sign = slot->side ? -1 : 1;
@@ -110,7 +106,7 @@ LANE_INLINE Lane3 spin_vary(const Patch *p, const Ends *by, Lane centre_by, Lane
 }
 
 /* (CC16): from the ends to the forces. */
-LANE_INLINE Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
+LANE_INLINE void forces_vary(const Patch *p, const PatchLaw *law, const Ends *by, Shares out[2])
 {
     Lane3 g_by[2];
     Lane m0_by, m1_by;
@@ -135,53 +131,46 @@ LANE_INLINE Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *
     const Lane3 couple_by = l3_add(l3_cross(friction_by, arm), l3_cross(friction, arm_by));
 
     /* their shares at the two ends */
-    Forces out;
     for (int a = 0; a < 2; ++a) {
         const double part = a ? p->centre : 1 - p->centre;
         const Lane part_by = a ? centre_by : -centre_by;
-        out.end[a] = plus(l3_scale(damped_by, l3_spread(p->g[a])), p->damped, g_by[a]);
-        out.end[a] = l3_axpy(plus(out.end[a], part, friction_by), part_by, friction);
+        const Lane3 end = plus(l3_scale(damped_by, l3_spread(p->g[a])), p->damped, g_by[a]);
         for (int side = 0; side < 2; ++side) {
             const Lane more = part_by * p->share[side] + (side ? part : -part) * share_by;
-            out.couple[side][a] = l3_axpy(scaled(part * p->share[side], couple_by), more, l3_spread(p->couple));
+            out[side].end[a] = l3_axpy(plus(end, part, friction_by), part_by, friction);
+            out[side].couple[a] = l3_axpy(scaled(part * p->share[side], couple_by), more, l3_spread(p->couple));
         }
+        out[1].on[a] = l3_scale(by->v[a], l3_spread(p->on[a]));
+        out[1].turn[a] = l3_scale(part * p->share[1] * by->v[a], l3_spread(p->couple));
     }
-    return out;
 }
 
-/* The six rows of one slot's wrench. */
-LANE_INLINE void rows_store(double row[6][LANES], Lane3 force, Lane3 moment)
+/* (CC17): the changed forces by the weights of `slot`, and the forces by the change of its weights; arm_by: the change
+ * of its own arm, m; NULL: none. */
+LANE_INLINE void wrench_vary(const Patch *p, const PatchSlot *slot, const Shares *by, const Lane3 *arm_by,
+                             double row[6][LANES])
 {
-    const Lane value[6] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
+    Lane3 push = plus(scaled(slot->alpha[0], by->end[0]), slot->alpha[1], by->end[1]);
+    Lane3 lever = plus(scaled(slot->beta[0], by->end[0]), slot->beta[1], by->end[1]);
+    Lane3 moment = plus(scaled(slot->alpha[0], by->couple[0]), slot->alpha[1], by->couple[1]);
+    if (slot->side) {
+        push = l3_neg(plus(plus(push, slot->alpha1[0], by->on[0]), slot->alpha1[1], by->on[1]));
+        lever = l3_neg(plus(plus(lever, slot->beta1[0], by->on[0]), slot->beta1[1], by->on[1]));
+        moment = plus(plus(moment, slot->alpha1[0], by->turn[0]), slot->alpha1[1], by->turn[1]);
+    }
+    moment = l3_add(moment, l3_cross(l3_spread(slot->r), lever));
+    if (arm_by) {
+        const Vec3 held = v3_axpy(v3_scale(slot->beta[0], p->on[0]), slot->beta[1], p->on[1]);
+        moment = l3_add(moment, l3_cross(*arm_by, l3_spread(slot->side ? v3_scale(-1, held) : held)));
+    }
+    const Lane value[6] = {push.x, push.y, push.z, moment.x, moment.y, moment.z};
     for (int r = 0; r < 6; ++r) lane_store(row[r], value[r]);
 }
 
-/* (CC17): the wrench on `slot`, whose weights change with the moving feet; arm_by: the change of its own arm, m; NULL
- * if neither its weights nor its arm change. */
-LANE_INLINE void wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force,
-                             const Lane3 *arm_by, double row[6][LANES])
-{
-    const double sign = slot->side ? -1 : 1;
-    const Lane3 r = l3_spread(slot->r);
-    Lane3 push = l3_zero(), moment = l3_zero();
-    for (int a = 0; a < 2; ++a) {
-        push = plus(push, sign * slot->alpha[a], force->end[a]);
-        moment = plus(moment, sign * slot->beta[a], l3_cross(r, force->end[a]));
-        moment = plus(moment, slot->alpha[a], force->couple[slot->side][a]);
-        if (!arm_by) continue;
-        const double part = (a ? p->centre : 1 - p->centre) * p->share[slot->side];
-        const Lane alpha_by = slot->alpha1[a] * by->v[a], beta_by = slot->beta1[a] * by->v[a];
-        const Lane3 on = l3_spread(p->on[a]), lever_by = l3_axpy(scaled(slot->beta[a], *arm_by), beta_by, r);
-        push = l3_axpy(push, sign * alpha_by, on);
-        moment = plus(moment, sign, l3_cross(lever_by, on));
-        moment = l3_axpy(moment, part * alpha_by, l3_spread(p->couple));
-    }
-    rows_store(row, push, moment);
-}
-
-/* A velocity or an angular velocity of a slot: places stay, the bed's pressure is unchanged, and of (CC16) and (CC17)
- * only damping and friction are left. */
-LANE_INLINE Forces motion_vary(const Patch *p, const PatchLaw *law, const PatchSlot *slot, Lane3 shift, Lane3 turned)
+/* A velocity of a slot, or an angular velocity, which moves its arm's end: places stay, the bed's pressure is
+ * unchanged, and of (CC16) and (CC17) only damping and friction are left. */
+LANE_INLINE void motion_vary(const Patch *p, const PatchLaw *law, const PatchSlot *slot, Lane3 shift, Lane3 turned,
+                             Shares out[2])
 {
     const double sign = slot->side ? -1 : 1, part[2] = {1 - p->centre, p->centre};
     const Lane3 normal = l3_spread(p->normal), arm = l3_spread(p->arm), turn = l3_scale(1 - MOVES, AXES);
@@ -193,24 +182,27 @@ LANE_INLINE Forces motion_vary(const Patch *p, const PatchLaw *law, const PatchS
     const Lane damped_by = -law->dissipation * l3_dot(normal, drift_by);
     const Lane3 slide_by = rejected(l3_sub(drift_by, l3_cross(spin_by, arm)), normal);
     const Lane3 friction_by = friction_vary(p, damped_by * p->elastic, slide_by), couple = l3_cross(friction_by, arm);
-    Forces out;
     for (int a = 0; a < 2; ++a) {
-        out.end[a] = plus(l3_scale(damped_by, l3_spread(p->g[a])), part[a], friction_by);
-        for (int side = 0; side < 2; ++side) out.couple[side][a] = scaled(part[a] * p->share[side], couple);
+        for (int side = 0; side < 2; ++side) {
+            out[side].end[a] = plus(l3_scale(damped_by, l3_spread(p->g[a])), part[a], friction_by);
+            out[side].couple[a] = scaled(part[a] * p->share[side], couple);
+            out[side].on[a] = out[side].turn[a] = l3_zero();
+        }
     }
-    return out;
 }
 
 static void kernel_columns(const Patch *p, const PatchLaw *law, int s, PatchColumns *by_place, PatchColumns *by_motion)
 {
     const PatchSlot *const slot = &p->slot[s];
-    const Lane3 shift = shift_of(), turned = turn_of(slot), none = l3_zero();
+    const Lane3 shift = l3_scale(MOVES, AXES), turned = l3_cross(l3_scale(1 - MOVES, AXES), l3_spread(slot->r));
     const Ends by = ends_vary(p, slot, shift, turned);
-    const Forces place = forces_vary(p, law, &by), motion = motion_vary(p, law, slot, shift, turned);
+    Shares place[2], motion[2];
+    forces_vary(p, law, &by, place);
+    motion_vary(p, law, slot, shift, turned, motion);
     for (int t = 0; t < p->slots; ++t) {
-        const Lane3 *const still = p->slot[t].side == 1 ? &none : NULL;
-        wrench_vary(p, &p->slot[t], &by, &place, t == s ? &turned : still, by_place->row[t]);
-        wrench_vary(p, &p->slot[t], &by, &motion, NULL, by_motion->row[t]);
+        const PatchSlot *const on = &p->slot[t];
+        wrench_vary(p, on, &place[on->side], t == s ? &turned : NULL, by_place->row[t]);
+        wrench_vary(p, on, &motion[on->side], NULL, by_motion->row[t]);
     }
 }
 

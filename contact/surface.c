@@ -158,6 +158,13 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
     }
 }
 
+void surface_mesh_patches(int surface, int law, SurfacePatch *patch)
+{
+    for (int k = 0; k < SURFACE_FACES_MAX; ++k) {
+        patch[k] = (SurfacePatch){.surface = surface, .face = k, .law = law, .s0 = NAN, .section = SECTION_MESH};
+    }
+}
+
 enum { ARRAYS = 3 * SURFACE_POINTS };
 
 int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n)
@@ -204,17 +211,18 @@ static void surface_stick_accept(SurfaceStick *stick, double t)
     stick->elapsed = 0;
 }
 
-void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, int n)
+void surface_pairs_checkpoint(Checkpoint *c, const SurfaceModel *model, SurfacePairs *pairs, int n)
 {
     SurfaceStick *const stick = &pairs->stick;
     checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
                     sizeof *pairs->range);
     for (int i = 0; !c->status && i < pairs->n_ranges; ++i) {
         const SurfaceRange *const r = &pairs->range[i];
-        const int ok = r->patch >= 0 && r->patch < patches && r->first >= pairs->from && r->count >= 0 &&
+        const int ok = r->patch >= 0 && r->patch < model->n_patches && r->first >= pairs->from && r->count >= 0 &&
                        r->first <= pairs->to - r->count;
         checkpoint_check(c, ok, "candidates for contact with surfaces are impossible");
     }
+    surface_near_checkpoint(c, model, pairs, n);
     CHECKPOINT(c, pairs->candidates);
     CHECKPOINT(c, pairs->active);
     CHECKPOINT(c, pairs->work);
@@ -298,6 +306,7 @@ void surface_pairs_free(SurfacePairs *pairs)
 {
     free(pairs->range);
     surface_stick_free(&pairs->stick);
+    surface_near_free(pairs->near);
     memset(pairs, 0, sizeof *pairs);
 }
 
@@ -316,7 +325,8 @@ static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, cons
     const SurfacePresumed *const presumed = pairs->presumed;
     const SurfacePatch *const p = &model->patch[patch];
     const int face = SURFACE_FACES_MAX * p->surface + p->face;
-    const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[face] : NULL;
+    const int mesh = p->section == SECTION_MESH; /* does not stick */
+    const SurfaceBed *const bed = stick->n_beds > 0 && !mesh ? &stick->bed[face] : NULL;
     SurfaceStrip strip = {.patch = p,
                           .impact = &model->impact,
                           .friction = &model->friction[p->law],
@@ -326,6 +336,7 @@ static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, cons
                           .kin = kin,
                           .bed = bed && bed->lean[0][0] ? bed : NULL,
                           .elapsed = stick->elapsed,
+                          .foot = mesh ? &pairs->near->foot[p->face] : NULL,
                           .first = first,
                           .count = count < LANES ? count : LANES};
     for (int q = 0; presumed && q < SURFACE_POINTS; ++q) strip.presumed[q] = presumed->bed[face][q];
@@ -348,7 +359,7 @@ static int range_add(SurfacePairs *pairs, SurfaceRange range)
 }
 
 /* Adds element e as a candidate of this patch: it extends the last range or begins a new one. */
-static int candidate_add(SurfacePairs *pairs, int patch, int e)
+int surface_candidate_add(SurfacePairs *pairs, int patch, int e)
 {
     SurfaceRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
     ++pairs->candidates;
@@ -392,7 +403,7 @@ static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kine
         const SurfaceStrip strip = strip_of(model, chain, kin, 0, pairs, patch, first, to - first);
         surface_kernels()->near(&strip, model->reach, near);
         for (int l = 0; l < strip.count; ++l) {
-            if (near[l] && !candidate_add(pairs, patch, first + l)) return 0;
+            if (near[l] && !surface_candidate_add(pairs, patch, first + l)) return 0;
         }
     }
     return 1;
@@ -402,7 +413,8 @@ hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, con
                               hawser_error *err)
 {
     pairs->n_ranges = pairs->candidates = 0;
-    for (int patch = 0; patch < model->n_patches; ++patch) {
+    const int swept = model->n_patches - SURFACE_FACES_MAX * model->n_laws;
+    for (int patch = 0; patch < swept; ++patch) {
         for (int from = pairs->from; from < pairs->to; from += RUN) {
             const int to = from + RUN < pairs->to ? from + RUN : pairs->to;
             /* an element depends on the segment before it and its own */
@@ -411,6 +423,7 @@ hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, con
             if (!run_refresh(model, chain, kin, patch, pairs, from, to)) return error_memory(err);
         }
     }
+    if (model->facets && !surface_near_refresh(model, chain, kin, pairs)) return error_memory(err);
     return HAWSER_OK;
 }
 
@@ -446,6 +459,7 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
     SurfacePush push;
     if (tally) pairs->active = 0;
     pairs->work = (ContactTally){0};
+    surface_feet(model, chain, kin, pairs, pairs->from, pairs->to, 0);
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
@@ -460,8 +474,7 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
     }
 }
 
-/* Point q of element e (DU2). */
-static Vec3 point_place(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int e, int q)
+Vec3 surface_point(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int e, int q)
 {
     const SurfacePoints *const points = model->points;
     const double alpha[2] = {1 - points->alpha[q][e], points->alpha[q][e]};
@@ -482,6 +495,7 @@ int surface_details(const SurfaceModel *model, const Chain *chain, const Kinemat
     SurfacePush push;
     ContactTally unused = {0};
     int n = 0;
+    surface_feet(model, chain, kin, pairs, pairs->from, pairs->to, 0);
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
@@ -490,8 +504,14 @@ int surface_details(const SurfaceModel *model, const Chain *chain, const Kinemat
             for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
                 const int l = k / SURFACE_POINTS, q = k % SURFACE_POINTS, e = strip.first + l;
                 if (!(push.normal[q][l] > 0)) continue;
-                const Vec3 point = point_place(model, chain, kin, e, q);
-                const SurfaceProbe probe = surface_probe(strip.patch, point);
+                const Vec3 point = surface_point(model, chain, kin, e, q);
+                SurfaceProbe probe;
+                if (strip.foot) {
+                    probe.distance = strip.foot->distance[q][e];
+                    probe.normal = v3_load(strip.foot->normal[q], e);
+                } else {
+                    probe = surface_probe(strip.patch, point);
+                }
                 out[n++] = (SurfaceDetail){.surface = strip.patch->surface,
                                            .element = e,
                                            .point_number = q,
@@ -512,6 +532,7 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
     assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
     const SurfaceKernels *const kernel = surface_kernels();
     ContactMatrix by_shift, by_speed;
+    surface_feet(model, chain, kin, pairs, from, to, 0);
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         const int first = r.first > from ? r.first : from;
@@ -530,7 +551,7 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
 /* The arrays of a face. */
 static double **presumed_bed(SurfacePresumed *out, const SurfaceModel *model, int patch, int n)
 {
-    const int beds = SURFACE_FACES_MAX * model->n_surfaces;
+    const int beds = SURFACE_FACES_MAX * (model->n_surfaces + model->n_laws);
     if (!out->bed) {
         out->bed = calloc((size_t)beds, sizeof *out->bed);
         if (!out->bed) return NULL;
@@ -554,6 +575,7 @@ int surface_presume(const SurfaceModel *model, const Chain *chain, const Kinemat
                     const Presume *how, const double *patch, SurfacePresumed *out)
 {
     double gap[SURFACE_POINTS][LANES];
+    surface_feet(model, chain, kin, pairs, pairs->from, pairs->to, model->skin);
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         double *const *const bed = presumed_bed(out, model, r.patch, chain->n);
@@ -579,6 +601,7 @@ void surface_pressed(const SurfaceModel *model, const Chain *chain, const Kinema
 {
     static const Presume how = {.from = PRESUME_GAPS};
     double gap[SURFACE_POINTS][LANES], sum = 0;
+    surface_feet(model, chain, kin, pairs, pairs->from, pairs->to, 0);
     for (int i = 0, n = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         if (i == 0 || pairs->range[i - 1].patch != r.patch) {

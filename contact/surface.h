@@ -3,6 +3,7 @@
 #ifndef HAWSER_CONTACT_SURFACE_H
 #define HAWSER_CONTACT_SURFACE_H
 
+#include "contact/facets.h"
 #include "contact/law.h"
 #include "contact/roller.h"
 #include "contact/shape.h"
@@ -30,7 +31,8 @@ typedef struct SurfaceShape {
     double length;             /* plane: along `along`, m; 0: infinite */
 } SurfaceShape;
 
-typedef enum SectionKind { SECTION_TUBE, SECTION_TROUGH, SECTION_FLAT } SectionKind;
+/* SECTION_MESH has no section: its face k is the k-th nearest foot of a point on the facets of one law. */
+typedef enum SectionKind { SECTION_TUBE, SECTION_TROUGH, SECTION_FLAT, SECTION_MESH } SectionKind;
 
 /* A weight over one coordinate: 0 up to in0, STEP to 1 at in1; 1 up to out0, STEP to 0 at out1 (DU8). */
 typedef struct SurfaceFade {
@@ -67,6 +69,8 @@ typedef struct SurfacePatch {
  * for planes. The shape must have been checked. */
 int surface_patch_count(const SurfaceShape *shape, const Route *route);
 void surface_patches(const SurfaceShape *shape, const Route *route, int surface, SurfacePatch *patch);
+/* The SURFACE_FACES_MAX patches of one law of a mesh. */
+void surface_mesh_patches(int surface, int law, SurfacePatch *patch);
 /* A point's relation to a patch. */
 typedef struct SurfaceProbe {
     double distance; /* m, from the surface (DU4); negative behind it */
@@ -91,7 +95,7 @@ int surface_way(const Route *route, double *s, double last, int rolls, SurfacePa
 
 enum { SURFACE_POINTS = 2 }; /* Gauss points of an element (DU1) */
 
-enum { SURFACE_FACES_MAX = 3 };
+enum { SURFACE_FACES_MAX = FEET_MAX };
 
 /* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has zero weight) (DU2). */
 typedef struct SurfacePoints {
@@ -108,6 +112,9 @@ typedef struct SurfaceModel {
     ImpactLaw impact; /* per metre of cable: k in N/m^e per m, c in N s/m per m */
     double reach;     /* m: as in ContactModel */
     int n_surfaces, n_patches;
+    const Facets *facets; /* the environment that can be touched, borrowed; NULL: none */
+    int n_laws;           /* of the facets, each a surface behind n_surfaces with SURFACE_FACES_MAX patches, the last */
+    double skin;          /* m: lists of near triangles hold for this much motion (EN26) */
     const FrictionLaw *friction; /* by SurfacePatch.law, the surfaces' own first; borrowed */
     const SurfacePatch *patch;   /* [n_patches], by surface, then along the way, borrowed */
     const SurfacePoints *points; /* borrowed */
@@ -141,14 +148,42 @@ typedef struct SurfaceStick {
     SurfaceBed *bed;       /* [n_beds] those of surfaces that do not stick have no arrays */
 } SurfaceStick;
 
+/* The k-th nearest feet of the points of a chain's line, by element (chain arrays): by surface_feet. */
+typedef struct SurfaceFoot {
+    double *distance[SURFACE_POINTS]; /* m; INFINITY: there is none */
+    double *law[SURFACE_POINTS];
+    double *normal[SURFACE_POINTS][3], *gradient[SURFACE_POINTS][3];
+    double *turn[SURFACE_POINTS][9]; /* 1/m, as Mat3 */
+} SurfaceFoot;
+
+/* Where the lists of near triangles were made: chain arrays. */
+typedef struct SurfaceStand {
+    double *point[SURFACE_POINTS][3];
+    double *p[3], *a[3]; /* the segments, as in ContactPairs */
+} SurfaceStand;
+
+/* The triangles near each point (EN26), and the feet on them. */
+typedef struct SurfaceNear {
+    double usable;         /* m: the lists hold for so much motion */
+    SurfaceStand stand;    /* from here on */
+    int n, list_allocated; /* triangles in all lists */
+    TriangleNear *list;    /* [n] by point */
+    int *start;            /* point q of element e has list[start[k]] .. list[start[k+1]-1], k = 2 (e - from) + q */
+    int starts_allocated;
+    FacetNear *work; /* [work_allocated] */
+    int work_allocated;
+    SurfaceFoot foot[FEET_MAX];
+} SurfaceNear;
+
 /* The candidates among elements from .. to-1; by surface_refresh. */
 typedef struct SurfacePairs {
     int from, to;
     int n_ranges, ranges_allocated;
-    SurfaceRange *range;             /* [n_ranges], by patch, then by element */
-    int candidates;                  /* pairs of element and patch */
-    int active;                      /* points that carried force in the last call of surface_forces with a tally */
-    ContactTally work;               /* of the last call of surface_forces */
+    SurfaceRange *range; /* [n_ranges], by patch, then by element */
+    int candidates;      /* pairs of element and patch */
+    int active;          /* points that carried force in the last call of surface_forces with a tally */
+    ContactTally work;   /* of the last call of surface_forces */
+    SurfaceNear *near;   /* owned; NULL: nothing of a mesh can be touched, or surface_refresh is still to come */
     const SurfacePresumed *presumed; /* the law is a line about it; borrowed; NULL: the law itself applies */
     SurfaceStick stick; /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
 } SurfacePairs;
@@ -178,6 +213,7 @@ typedef struct SurfaceStrip {
     const Kinematics *kin;
     const SurfaceBed *bed;                  /* NULL: friction does not stick */
     double elapsed;                         /* s, with a bed */
+    const SurfaceFoot *foot;                /* of a mesh's patch; NULL: a swept one */
     const double *presumed[SURFACE_POINTS]; /* N/m, by element (PS11); NULL: the law itself */
     int first, count;                       /* elements first .. first + count - 1 */
 } SurfaceStrip;
@@ -239,6 +275,22 @@ hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, con
 void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     SurfacePairs *pairs, Loads *loads, SurfaceTally *tally);
 SurfaceTally surface_tally_new(void);
+/* Point q of element e of the line, m (DU2). */
+Vec3 surface_point(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int e, int q);
+/* Adds element e as a candidate of a patch. 0 without memory. */
+int surface_candidate_add(SurfacePairs *pairs, int patch, int e);
+/* Lists of near triangles for the kinematics (EN26), with candidates for the patches of the mesh; part of
+ * surface_refresh. 0 without memory. */
+int surface_near_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, SurfacePairs *pairs);
+/* Checks whether a point may have moved farther than the lists allow. */
+int surface_near_stale(const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs);
+/* Finds the feet of the points of elements from .. to-1 up to `beyond` (m) farther than their radius. */
+void surface_feet(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                  int from, int to, double beyond);
+/* Creates empty lists for elements of a chain of n segments; NULL without memory. The free accepts NULL. */
+SurfaceNear *surface_near_new(int n);
+SurfaceNear *surface_near_free(SurfaceNear *near);
+void surface_near_checkpoint(Checkpoint *c, const SurfaceModel *model, SurfacePairs *pairs, int n);
 /* One point of the line in contact with a surface, for tools and reports. */
 typedef struct SurfaceDetail {
     int surface, element, point_number;
@@ -268,7 +320,7 @@ void surface_clock(SurfacePairs *pairs, double t);
 void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t,
                     SurfacePairs *pairs);
 /* Saves or loads the candidates and the leans; n: segments. */
-void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, int n);
+void surface_pairs_checkpoint(Checkpoint *c, const SurfaceModel *model, SurfacePairs *pairs, int n);
 /* Adds the derivatives of these forces to k and d, as contact_blocks does (DU11), (DU12), of elements from .. to-1
  * only. */
 void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,

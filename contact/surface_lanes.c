@@ -8,7 +8,7 @@ LANE_INLINE void lanes_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, 
 LANE_INLINE void work_add(const SurfaceContact *c, LaneMask near, ContactTally *work)
 {
     const Lane zero = lane_set(0), share = c->share.value * c->length, held = c->length * c->push.energy;
-    const Lane toward = l3_dot(c->normal, c->pdot), rate = c->steep * toward;
+    const Lane toward = l3_dot(c->normal, c->pdot), rate = l3_dot(c->gradient, c->pdot);
     work->friction += lane_sum(lane_select(c->push.touches, c->load * rub_loss(&c->rub, c->slide), zero));
     work->damping += lane_sum(lane_select(near, share * c->push.loss, zero));
     work->energy += lane_sum(lane_select(near, share * c->push.energy, zero));
@@ -83,7 +83,7 @@ static void kernel_gaps(const SurfaceStrip *strip, double gap[SURFACE_POINTS][LA
     for (int q = 0; q < SURFACE_POINTS; ++q) {
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
-        const LaneMask here = contact_here(strip, &s, &c);
+        const LaneMask here = contact_here(strip, &s, q, &c);
         lane_store(gap[q], lane_select(here, c.section.g - c.radius, lane_set(INFINITY)));
     }
 }
@@ -175,18 +175,28 @@ LANE_INLINE Lane3 vary_contact(const SurfaceContact *c, int sticks, Lane3 normal
     return l3_axpy(l3_scale(load_by, rub_direction(&c->rub, n)), c->load, direction_by);
 }
 
-/* (DU11), one world axis at a time. */
-LANE_INLINE void point_slopes(const SurfacePatch *patch, const SurfaceContact *c, int sticks, PointSlopes *out)
+/* Column `axis` of the second derivatives of the distance; of a mesh that of dn, by (EN24). */
+LANE_INLINE Lane3 contact_bent(const SurfaceStrip *strip, int q, const SurfaceHessian *h, const SurfaceContact *c,
+                               int axis)
 {
-    const SurfaceHessian h = surface_hessian(patch, &c->place, &c->section);
+    if (!strip->foot) return hessian_times(h, &c->place, l3_axis(axis));
+    double *const *const turn = strip->foot->turn[q] + axis;
+    return (Lane3){lane_load(turn[0] + strip->first), lane_load(turn[3] + strip->first),
+                   lane_load(turn[6] + strip->first)};
+}
+
+/* (DU11), one world axis at a time. */
+LANE_INLINE void point_slopes(const SurfaceStrip *strip, int q, const SurfaceContact *c, int sticks, PointSlopes *out)
+{
+    const SurfaceHessian h = surface_hessian(strip->patch, &c->place, &c->section);
     const Lane3 n = c->normal;
     const Lane flat = 1 / c->steep, share = c->share.value * c->length;
     for (int axis = 0; axis < 3; ++axis) {
         const Lane3 e = l3_axis(axis);
         /* of the position: the normal turns, gap, its rate and the weight change */
-        const Lane3 bent = hessian_times(&h, &c->place, e);
+        const Lane3 bent = contact_bent(strip, q, &h, c, axis);
         const Lane3 turned = l3_scale(flat, l3_axpy(bent, -l3_dot(n, bent), n));
-        const Lane gap = c->steep * l3_dot(n, e), rate = l3_dot(bent, c->pdot);
+        const Lane gap = l3_dot(c->gradient, e), rate = l3_dot(bent, c->pdot);
         const Lane load =
             share * (c->push.gap * gap + c->push.rate * rate) + c->length * c->push.force * l3_dot(c->share.slope, e);
         out->normal[axis] = turned;
@@ -264,7 +274,7 @@ LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix 
         }
         any = 1;
         PointSlopes slopes;
-        point_slopes(strip->patch, &c, sticks, &slopes);
+        point_slopes(strip, q, &c, sticks, &slopes);
         for (int b = 0; b < 2; ++b) body_columns(&s, &c, &slopes, b, k, d);
     }
     return any;

@@ -221,8 +221,9 @@ typedef struct SurfaceContact {
     Lane3 p, pdot, omega;
     SurfacePlace place;
     SurfaceSection section;
-    Lane3 normal; /* n */
-    Lane steep;   /* |grad g| */
+    Lane3 normal;   /* n */
+    Lane3 gradient; /* grad g */
+    Lane steep;     /* |grad g|; 1 on a mesh, where n is not along grad g */
     SurfaceShare share;
     LaneImpact push;   /* per metre, before the weight of (DU8) */
     Lane3 slip, slide; /* v_s, v_t (C13) */
@@ -247,8 +248,14 @@ LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, 
 }
 
 /* Place of the point relative to the patch; returns whether it belongs to the patch. */
-LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *s, SurfaceContact *c)
+LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
 {
+    if (strip->foot) {
+        c->place = (SurfacePlace){0};
+        c->section = (SurfaceSection){.g = lane_load(strip->foot->distance[q] + strip->first)};
+        return s->live & (lane_load(strip->foot->law[q] + strip->first) == lane_set(strip->patch->law)) &
+               (c->section.g < lane_set(INFINITY));
+    }
     c->place = surface_place(strip->patch, c->p);
     c->section = surface_section(strip->patch, &c->place);
     return s->live & c->place.owned & (c->section.g > lane_set(-strip->patch->depth));
@@ -257,7 +264,7 @@ LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *
 /* Checks whether any lane is near enough for contact, or presumed to be: everything else is computed only if so. */
 LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
 {
-    const LaneMask here = contact_here(strip, s, c);
+    const LaneMask here = contact_here(strip, s, q, c);
     if (strip->presumed[q]) return here & (lane_load(strip->presumed[q] + strip->first) > lane_set(0));
     return here & (c->section.g < c->radius);
 }
@@ -265,10 +272,28 @@ LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s
 /* The normal force per metre. */
 LANE_INLINE LaneImpact contact_push(const SurfaceStrip *strip, const SurfaceContact *c, int q, LaneMask near)
 {
-    const Lane gap = c->section.g - c->radius, rate = c->steep * l3_dot(c->normal, c->pdot), zero = lane_set(0);
+    const Lane gap = c->section.g - c->radius, rate = l3_dot(c->gradient, c->pdot), zero = lane_set(0);
     if (!strip->presumed[q]) return impact_at(strip->impact, gap, rate, near);
     const Lane presumed = lane_load(strip->presumed[q] + strip->first);
     return impact_about(strip->impact, lane_select(near, presumed, zero), gap, rate);
+}
+
+/* Normal, gradient of the distance, weight: (DU7), (DU8); of a mesh (EN24). */
+LANE_INLINE void contact_normal(const SurfaceStrip *strip, int q, SurfaceContact *c)
+{
+    c->steep = lane_set(1);
+    if (strip->foot) {
+        c->normal = l3_load(strip->foot->normal[q], strip->first);
+        c->gradient = l3_load(strip->foot->gradient[q], strip->first);
+        c->share = (SurfaceShare){lane_set(1), l3_zero()};
+        return;
+    }
+    Lane gradient[3];
+    surface_gradient(&c->place, &c->section, gradient);
+    if (strip->patch->twisted) c->steep = lane_sqrt(1 + gradient[0] * gradient[0]);
+    c->gradient = surface_vector(&c->place, gradient);
+    c->normal = l3_scale(1 / c->steep, c->gradient);
+    c->share = surface_share(strip->patch, &c->place);
 }
 
 /* Velocities, laws, force (DU7)-(DU9); near: result of contact_gap. sticks is a constant: code that it excludes is not
@@ -279,13 +304,7 @@ LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, 
     const LaneBody *j = &s->body[0], *k = &s->body[1];
     c->pdot = weighted(&c->weight, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
     c->omega = l3_axpy(l3_scale(c->weight.alpha[0], j->w), c->weight.alpha[1], k->w);
-    Lane gradient[3];
-    surface_gradient(&c->place, &c->section, gradient);
-    c->steep = lane_set(1);
-    if (strip->patch->twisted) c->steep = lane_sqrt(1 + gradient[0] * gradient[0]);
-    c->normal = l3_scale(1 / c->steep, surface_vector(&c->place, gradient));
-    c->share = surface_share(strip->patch, &c->place);
-
+    contact_normal(strip, q, c);
     const Lane3 n = c->normal;
     c->push = contact_push(strip, c, q, near);
     c->load = c->share.value * c->length * c->push.force;

@@ -67,7 +67,8 @@ static hawser_status facet_add(const SurveyInput *in, MeshBuild *build, const in
 /* Returns the layer of a solid's name, or -2: it is left out; -1: no memory. */
 static int solid_layer(const ModelOptions *o, MeshBuild *build, const char *name)
 {
-    if (model_match(&o->leave, name) >= 0 || (o->take.n && model_match(&o->take, name) < 0)) return -2;
+    const int part = model_match(&o->equipment, name) >= 0;
+    if (model_match(&o->leave, name) >= 0 || (!part && o->take.n && model_match(&o->take, name) < 0)) return -2;
     return model_layer_add(build, name);
 }
 
@@ -140,6 +141,31 @@ static hawser_status stl_text_read(SurveyInput *in, const ModelOptions *o, MeshB
     return status;
 }
 
+/* Makes parts of the solids that are equipment, in place of their triangles. Returns 0 without memory. */
+static int solids_take(const ModelPatterns *equipment, Mesh *m, Survey *found)
+{
+    int fine = 1;
+    for (int k = 0; k < m->n_layers && fine; ++k) {
+        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+        const int part = model_match(equipment, m->layer_name[k]), before = m->n_triangles;
+        if (part < 0) continue;
+        m->n_triangles = 0;
+        for (int t = 0; t < before; ++t) {
+            const int own = m->layer[t] == k;
+            for (int c = 0; c < 9 && own; ++c) {
+                const double at = m->vertex[m->triangle[t][c / 3]][c % 3];
+                low[c % 3] = fmin(low[c % 3], at);
+                high[c % 3] = fmax(high[c % 3], at);
+            }
+            if (own) continue;
+            memcpy(m->triangle[m->n_triangles], m->triangle[t], sizeof *m->triangle);
+            m->layer[m->n_triangles++] = m->layer[t];
+        }
+        if (low[0] <= high[0]) fine = model_part_add(found, equipment->pattern[part], m->layer_name[k], low, high, NAN);
+    }
+    return fine;
+}
+
 /* A file of text may begin like a binary one, and the other way round; the size decides. */
 static hawser_status stl_read(SurveyInput *in, const ModelOptions *o, MeshBuild *build, const char *base, long size)
 {
@@ -150,11 +176,17 @@ static hawser_status stl_read(SurveyInput *in, const ModelOptions *o, MeshBuild 
     if (isnan(o->unit))
         return input_error(in, "an STL file does not say its unit of length: give 'unit', such as 1 mm");
     if (!o->up) return input_error(in, "an STL file does not say which axis points upward: give 'up', y or z");
+    hawser_status status = HAWSER_OK;
     input_seek(in, 0);
-    if (got == sizeof head && size == STL_HEAD + (long)n * STL_FACET) return stl_binary_read(in, o, build, base, n);
-    if (text) return stl_text_read(in, o, build, base);
-    return input_error(in, "an STL file of %u triangles has %ld bytes, this one has %ld", n,
-                       STL_HEAD + (long)n * STL_FACET, size);
+    if (got == sizeof head && size == STL_HEAD + (long)n * STL_FACET)
+        status = stl_binary_read(in, o, build, base, n);
+    else if (text)
+        status = stl_text_read(in, o, build, base);
+    else
+        status = input_error(in, "an STL file of %u triangles has %ld bytes, this one has %ld", n,
+                             STL_HEAD + (long)n * STL_FACET, size);
+    if (!status && !solids_take(&o->equipment, &build->mesh, in->out)) status = error_memory(in->err);
+    return status;
 }
 
 /* ---------------------------------------------------------------------------------------------------- any file */

@@ -12,14 +12,14 @@ hawser_status clearances_new(const EnvironmentDef *def, Clearances *out, hawser_
 {
     const Mesh *const all = &def->mesh;
     int n = 0;
-    *out = (Clearances){0};
-    for (int t = 0; t < all->n_triangles; ++t) n += def->clear[all->layer[t]];
-    if (n == 0) return HAWSER_OK;
-    const size_t room = (size_t)n;
-    out->mesh = *all;
+    *out = (Clearances){.mesh = *all};
+    out->mesh.triangle = NULL;
+    out->mesh.layer = NULL;
     out->mesh.n_triangles = 0;
-    out->mesh.triangle = malloc(room * sizeof *out->mesh.triangle);
-    out->mesh.layer = malloc(room * sizeof *out->mesh.layer);
+    if (all->n_layers == 0) return HAWSER_OK;
+    for (int t = 0; t < all->n_triangles; ++t) n += def->clear[all->layer[t]];
+    out->mesh.triangle = malloc(((size_t)n + 1) * sizeof *out->mesh.triangle);
+    out->mesh.layer = malloc(((size_t)n + 1) * sizeof *out->mesh.layer);
     out->near = malloc((size_t)all->n_layers * sizeof *out->near);
     if (!out->mesh.triangle || !out->mesh.layer || !out->near) return error_memory(err);
     for (int k = 0; k < all->n_layers; ++k) out->near[k] = (LayerNear){INFINITY, NAN, NAN};
@@ -28,6 +28,7 @@ hawser_status clearances_new(const EnvironmentDef *def, Clearances *out, hawser_
         memcpy(out->mesh.triangle[out->mesh.n_triangles], all->triangle[t], sizeof *all->triangle);
         out->mesh.layer[out->mesh.n_triangles++] = all->layer[t];
     }
+    if (n == 0) return HAWSER_OK;
     out->tree = triangle_tree_new(&out->mesh);
     return out->tree ? HAWSER_OK : error_memory(err);
 }

@@ -10,7 +10,7 @@
 typedef struct Clearances {
     Mesh mesh;          /* their triangles and layers; vertices and names are the definition's */
     TriangleTree *tree; /* NULL: there are none */
-    LayerNear *near;    /* [mesh.n_layers] */
+    LayerNear *near;    /* [mesh.n_layers]; NULL without layers */
 } Clearances;
 
 /* The definition must stay. Errors: MEMORY; clearances_free follows either way. */

@@ -326,9 +326,9 @@ static int is_named(const char *list, const char *name)
 }
 
 /* Names of all tables and of the other choices; a table without rows in this case is left out. */
-static const char table_names[] =
-    "all, facts, pieces, directions, ducts, environment, heads, sections, answers, machines, brakes, pushes, compression, assumed, "
-    "remedies, notes, limits, trust, refused, stations, terms, run";
+static const char table_names[] = "all, facts, pieces, directions, ducts, environment, heads, sections, answers, "
+                                  "machines, brakes, pushes, compression, assumed, "
+                                  "remedies, notes, limits, trust, refused, stations, terms, run";
 
 /* Rejects the first name of the list that is no table. */
 static hawser_status names_check(const char *list, hawser_error *err)

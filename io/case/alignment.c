@@ -505,6 +505,9 @@ static hawser_status pick_read(const CaseReader *r, const CaseNode *section, con
     out->ignore = *ignore ? ignore : NULL;
     out->name = *in->name ? in->name : NULL;
     out->layer = *in->layer ? in->layer : NULL;
+    const CaseNode *const file = case_node_key(section, "file");
+    if (file && !r->folder)
+        return case_value_error(r->err, file, ": a case that is a text has no folder to look in: load it from a file");
     hawser_status status = case_file_path(r, section, in->file, path);
     out->path = *path;
     if (status || !*in->units) return status;

@@ -184,8 +184,7 @@ static hawser_status mesh_join(const CaseReader *r, const Mesh *from, const Mode
 static hawser_status model_take(CaseReader *r, const CaseNode *node, const ModelRecord *in, const char *path,
                                 const ModelOptions *options)
 {
-    const CaseNode *const file = case_node_key(node, "file"), *const equipment = case_node_key(node, "equipment");
-    char where[CASE_PLACE_MAX];
+    const CaseNode *const equipment = case_node_key(node, "equipment");
     hawser_error why = {HAWSER_OK, ""};
     ModelPlace place = {.c = 1};
     Mesh mesh = {0};
@@ -193,8 +192,7 @@ static hawser_status model_take(CaseReader *r, const CaseNode *node, const Model
     hawser_status status = place_find(r, node, in, &place);
     if (status) return status;
     status = model_read(path, options, &mesh, &found, &why);
-    if (status)
-        return error_set(r->err, status, "%s: %.700s", case_place(file->origin, file->line, where), why.message);
+    if (status) return case_key_cause(r->err, node, "file", "", &why);
     const double angle = atan2(place.s, place.c);
     for (int i = 0; i < found.n_marks; ++i) { /* in the case's coordinates, as a drawing's */
         found.mark[i].at = v3_add(placed(&place, found.mark[i].at), r->def->route_origin);

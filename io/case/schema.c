@@ -386,9 +386,9 @@ hawser_status case_file_path(const CaseReader *r, const CaseNode *section, const
     *path = NULL;
     if (!node) return case_key_error(r->err, section, "file", "missing: it names the file");
     if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
-    if (!r->folder)
+    if (!absolute && !r->folder)
         return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");
-    const size_t size = strlen(r->folder) + strlen(file) + 2;
+    const size_t size = (r->folder ? strlen(r->folder) : 0) + strlen(file) + 2;
     *path = malloc(size);
     if (!*path) return error_memory(r->err);
     snprintf(*path, size, "%s%s%s", absolute ? "" : r->folder, absolute ? "" : "/", file);

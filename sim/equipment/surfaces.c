@@ -201,7 +201,7 @@ static void surfaces_checkpoint(Checkpoint *c, const Room *room, const Scene *sc
 {
     (void)room;
     for (int p = 0; p < PARTS; ++p)
-        surface_pairs_checkpoint(c, &ws->contact[p].surface, scene->surfaces.model.n_patches, scene->chain.n);
+        surface_pairs_checkpoint(c, &scene->surfaces.model, &ws->contact[p].surface, scene->chain.n);
 }
 
 static double surfaces_next_stop(const Room *room, const Scene *scene, double t)

@@ -325,7 +325,7 @@ TEST(test_self_impossible)
 static void keep_surface(Checkpoint *c, void *of)
 {
     SurfaceScene *const s = of;
-    surface_pairs_checkpoint(c, &s->pairs, s->model.n_patches, N);
+    surface_pairs_checkpoint(c, &s->model, &s->pairs, N);
 }
 
 /* On two planes, the second of which sticks. */

@@ -225,13 +225,13 @@ TEST(test_kept)
         }
     }
     Checkpoint c = checkpoint_new(0);
-    surface_pairs_checkpoint(&c, &s.pairs, s.model.n_patches, N);
+    surface_pairs_checkpoint(&c, &s.model, &s.pairs, N);
     c = checkpoint_new(c.size);
-    surface_pairs_checkpoint(&c, &s.pairs, s.model.n_patches, N);
+    surface_pairs_checkpoint(&c, &s.model, &s.pairs, N);
     surface_pairs_init(&read, 0, N + 1);
     assert_true(surface_pairs_sticks(&read, &s.model, N));
     Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
-    surface_pairs_checkpoint(&back, &read, s.model.n_patches, N);
+    surface_pairs_checkpoint(&back, &s.model, &read, N);
     assert_int_equal(back.status, HAWSER_OK);
     check_equal(read.stick.since, s.pairs.stick.since);
     for (int b = 0; b < s.pairs.stick.n_beds; ++b) {

@@ -306,10 +306,10 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 TEST(every_key_wrong_in_every_way)
 {
     static const char *const names[] = {
-        "full-ramps",      "full-tables",       "full-tension",    "full-tension-table", "full-reel",
-        "full-reel-table", "full-reel-weight",  "full-rod",        "full-rod-polyline",  "full-bundle",
-        "full-chains",     "full-library",      "full-route",      "full-route-points",  "full-route-plan",
-        "full-drawing",    "full-drawing-file", "full-route-file", "full-route-sheet"};
+        "full-ramps",      "full-tables",       "full-tension",     "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight",  "full-rod",         "full-rod-polyline",  "full-bundle",
+        "full-chains",     "full-library",      "full-route",       "full-route-points",  "full-route-plan",
+        "full-drawing",    "full-drawing-file", "full-environment", "full-route-file",    "full-route-sheet"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

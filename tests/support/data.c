@@ -24,7 +24,7 @@ static const char *keep(const char *name, char *text)
     return text;
 }
 
-/* A file that names another one stands with it in the data's folder, for which it writes @DATA@, once. */
+/* A file that names another one stands with it in the data's folder, for which it writes @DATA@. */
 static char *with_folder(char *text)
 {
     char *const at = strstr(text, "@DATA@");
@@ -34,7 +34,7 @@ static char *with_folder(char *text)
     assert_non_null(made);
     snprintf(made, size, "%.*s%s/tests/data%s", (int)(at - text), text, HAWSER_SOURCE_DIR, at + 6);
     free(text);
-    return made;
+    return with_folder(made);
 }
 
 const char *data_text(const char *name)

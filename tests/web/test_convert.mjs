@@ -295,6 +295,26 @@ test('IFC 2x3, 4 and 4x3: names, classes, numbers and properties with units', ()
   }
 });
 
+test('the example tunnel as IFC: its nodes, area, volume and bounds are those of its GLB', () => {
+  const script = fileURLToPath(new URL('../../scripts/tunnel_model.py', import.meta.url));
+  const path = join(folder, 'tunnel.ifc');
+  const { status, stdout } = spawnSync('python3', [script, path], { encoding: 'utf8' });
+  assert.equal(status, 0);
+  // "walls: 1 of 100 triangles, 3.2 m2, 1.4 m3 each"
+  const rows = [...stdout.matchAll(/: (\d+) of \d+ triangles, (\S+) m2, (\S+) m3 each/g)];
+  const sum = (k) => rows.reduce((all, row) => all + Number(row[1]) * Number(row[k]), 0);
+  const { to, stderr } = convert('tunnel.ifc', null);
+  assert.equal(stderr, '');
+  const found = measure(to);
+  assert.ok(Math.abs(found.area / sum(2) - 1) < 1e-6, `${found.area} of ${sum(2)} m2`);
+  assert.ok(Math.abs(found.volume / sum(3) - 1) < 1e-6, `${found.volume} of ${sum(3)} m3`);
+  for (const name of ['IfcPipeSegment', 'pipe', 'roller 30', 'tray end'])
+    assert.ok(
+      found.nodes.some((node) => node.name.toUpperCase() === name.toUpperCase()),
+      name,
+    );
+});
+
 test('what is wrong ends with status 2, says what, and leaves no file', () => {
   const refused = (name, content, pattern, ...options) => {
     const { status, stderr, to } = convert(name, content, ...options);
