@@ -1,4 +1,4 @@
-// IFC by web-ifc: products as nodes below their class, with their numbers, types and properties.
+// IFC by web-ifc: each product as a node below a node of its class's name, with its number, type and properties.
 import WebIfc, { type IfcModule, type Line } from 'web-ifc-module';
 import wasm from 'web-ifc-wasm';
 import { type Model, type Node, Refused, type Shape } from './model';
@@ -182,7 +182,7 @@ class Reader {
   read(): Model {
     const { ifc, model, notes } = this;
     const properties = this.properties();
-    const classes = new Map<string, Node[]>();
+    const nodes: Node[] = [];
     const made = new Set<number>();
     ifc.StreamAllMeshes(
       model,
@@ -198,10 +198,8 @@ class Reader {
         if (placed.length === 0) return;
         made.add(mesh.expressID);
         const [guid, , name, , objectType] = (line?.arguments ?? []).map(textOf);
-        const of = classes.get(type) ?? [];
-        classes.set(type, of);
         const sets = properties.get(mesh.expressID);
-        of.push({
+        const product: Node = {
           name: name || `${type} ${mesh.expressID}`,
           extras: {
             id: mesh.expressID,
@@ -210,14 +208,16 @@ class Reader {
             ...(objectType && { objectType }),
             ...(sets && { properties: sets }),
           },
-          children: placed.map((part) => ({ ...part, name: name || type })),
-        });
+        };
+        // a product of one shape is that shape's node; the class stands above each, so that a pattern can name it
+        if (placed.length === 1) Object.assign(product, placed[0], { name: product.name });
+        else product.children = placed.map((part) => ({ ...part, name: product.name }));
+        nodes.push({ name: type, children: [product] });
       },
       true,
     );
     this.missing(made);
     const place = this.place();
-    const nodes = [...classes].map(([name, children]) => ({ name, children }));
     return { nodes, unit: 1, up: 'y', notes, ...(place && { extras: { mapConversion: place } }) };
   }
 

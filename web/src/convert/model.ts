@@ -7,7 +7,7 @@ export class Refused extends Error {}
 export const BYTES_MOST = 1 << 29;
 export const TRIANGLES_MOST = 10_000_000;
 export const NODES_MOST = 500_000;
-const DEPTH_MOST = 256;
+const DEPTH_MOST = 90; // the engine reads 100 with the root and what a case puts around it
 
 /** Three numbers a vertex; `index`: three vertices a triangle, counter-clockwise from outside, or null for a cloud of points. */
 export interface Shape {

@@ -24,6 +24,7 @@ import { markedLine, showLine } from './marked_line';
 import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
 import { Simulation } from './simulate';
+import { asked, CONVERTED, converted, item, READ } from './models';
 import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
 import { Start } from './start';
 import { Strips } from './strips';
@@ -431,12 +432,35 @@ function mark(fault?: Fault): void {
 
 // --------------------------------------------------------------------------------------------------------------- files
 
-function download(as: string, content: string, type: string): void {
+function download(as: string, content: string | Uint8Array<ArrayBuffer>, type: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = as;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+/** A model of the tunnel: put beside the case, as GLB, and taken into its section `environment`. */
+async function openModel(name: string, bytes: Uint8Array): Promise<void> {
+  const told = asked(name);
+  if (!told) return;
+  let file = name;
+  try {
+    if (CONVERTED.test(name)) {
+      say(t('Converting {1}.', name));
+      const { glb, triangles, points, notes } = await converted(name, bytes, told);
+      file = name.replace(/\.\w+$/, '.glb');
+      bytes = glb;
+      say([`${file}: ${triangles + points}`, ...notes].join('; '));
+      download(file, glb, 'model/gltf-binary');
+    }
+    await engine?.put(file, bytes);
+    const there = writtenAt(current(), ['environment']) !== undefined;
+    if (!there) change(putSection(current(), 'environment', `environment:\n${item(file, told)}`), t('Environment'));
+    else say(t('The case has an environment already: add {1} to it.', file));
+  } catch (why) {
+    say(`${name}: ${why instanceof Error ? why.message : String(why)}`);
+  }
 }
 
 async function openFile(file: File): Promise<void> {
@@ -447,6 +471,10 @@ async function openFile(file: File): Promise<void> {
     for (const path of named) await engine?.put(path, bytes);
     say(t('{1}: the case names it.', file.name));
     ask();
+    return;
+  }
+  if (READ.test(file.name) || (CONVERTED.test(file.name) && !ROUTES.test(file.name))) {
+    await openModel(file.name, bytes);
     return;
   }
   if (!ROUTES.test(file.name)) {
@@ -462,7 +490,9 @@ async function openFile(file: File): Promise<void> {
     const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
     say(`${file.name}: ${kinds}. ${t('Keep the file beside the case: the case refers to it.')}`);
   } catch (why) {
-    say(why instanceof EngineError ? why.fault.message : String(why));
+    // an IFC without an alignment is a model
+    if (CONVERTED.test(file.name)) await openModel(file.name, bytes);
+    else say(why instanceof EngineError ? why.fault.message : String(why));
   }
 }
 
