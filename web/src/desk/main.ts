@@ -455,7 +455,7 @@ async function openModel(name: string, bytes: Uint8Array): Promise<void> {
       download(file, glb, 'model/gltf-binary');
     }
     await engine?.put(file, bytes);
-    const there = writtenAt(current(), ['environment']) !== undefined;
+    const there = nodeAt(parsed(current()), ['environment']) !== undefined;
     if (!there) change(putSection(current(), 'environment', `environment:\n${item(file, told)}`), t('Environment'));
     else say(t('The case has an environment already: add {1} to it.', file));
   } catch (why) {
