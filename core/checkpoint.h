@@ -3,7 +3,7 @@
  * Every owner of something that a step leaves for the next has one function `thing_checkpoint(thing, c)`, which names
  * every piece with its place and size. Called on a checkpoint that is being written it copies the pieces out, on one
  * that is being read it copies them in, so that both directions cannot differ. What follows from the case or from other
- * pieces is not listed: it is computed again. docs/adding.md, "Something that a run keeps". */
+ * pieces is not listed: it is computed again. docs/adding.md, "Data that a run keeps". */
 #ifndef HAWSER_CORE_CHECKPOINT_H
 #define HAWSER_CORE_CHECKPOINT_H
 

@@ -355,7 +355,7 @@ typedef struct SceneDef {
  */
 enum { INPUT_KEY, INPUT_VALUE, INPUT_UNIT, INPUT_ORIGIN, INPUT_WHERE, INPUT_SOURCE, INPUT_TEXTS };
 
-void scene_def_defaults(SceneDef *def); /* sets every default; docs/case-format.md lists them */
+void scene_def_defaults(SceneDef *def); /* sets every default; docs/reference/case-keys.md lists them */
 void scene_def_clear(SceneDef *def);
 /* Number of pieces of the chain that are the cable, from the tail on; those after them are the rope. */
 int scene_def_eye(const SceneDef *def);

@@ -319,7 +319,7 @@ static void yaml_write(const CaseNode *node, int depth, Text *out)
 
 /* The case with all parts that it refers to: the catalogue's entries are put into it, files lie beside it. */
 
-/* Keys of a case with files to read: docs/case-format.md. */
+/* Keys of a case with files to read: docs/reference/case-keys.md. */
 static const char *const file_keys[RESOURCE_FILES_MAX][3] = {
     {"route", "file", NULL}, {"route", "profile", "file"}, {"drawing", "file", NULL}};
 

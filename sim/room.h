@@ -155,7 +155,7 @@ static inline void controls_profile(ControlsVisit *visit, Profile *profile, cons
  *
  * Each kind is one file in sim/equipment/ that ends in its RoomKind: functions that are each called at one point of a
  * scene's life or of a step, or NULL where the kind has nothing to do there. sim/equipment/rooms.h lists the kinds in
- * the order in which they act. docs/architecture.md, "Rooms". */
+ * the order in which they act. docs/architecture.md, "Kinds of equipment". */
 
 typedef struct Scene Scene;
 

@@ -22,24 +22,30 @@ static const char *const methods[] = {"morris", "sobol", NULL};
 static const char *const search_methods[] = {"auto", "linear", "random", "all", NULL};
 
 /* Defines a key for a number in the unit of the varied quantity. */
-#define ANY_NUMBER(name)                                                                                               \
+#define ANY_NUMBER(name, words)                                                                                        \
     {                                                                                                                  \
-        name, KEY_ANY, .required = 1, .form = "a number, with the unit that the case takes"                            \
+        name, KEY_ANY, .required = 1, .form = "a number, with the unit that the case takes", .meaning = (words)        \
     }
-#define MAYBE_NUMBER(name)                                                                                             \
+#define MAYBE_NUMBER(name, absent, words)                                                                              \
     {                                                                                                                  \
-        name, KEY_ANY, .otherwise = "not cut off", .form = "a number, with the unit that the case takes"               \
+        name, KEY_ANY, .otherwise = (absent), .form = "a number, with the unit that the case takes",                   \
+                       .meaning = (words)                                                                              \
     }
-#define OPEN_LAW(first, second) ANY_NUMBER(first), ANY_NUMBER(second), MAYBE_NUMBER("from"), MAYBE_NUMBER("to")
+#define CUT_OFF                                                                                                        \
+    MAYBE_NUMBER("from", "not cut off", "Nothing lies below."), MAYBE_NUMBER("to", "not cut off", "Nothing lies above.")
 
 /* clang-format off */
-static const CaseKey uniform_keys[] = {ANY_NUMBER("from"), ANY_NUMBER("to")};
+static const CaseKey uniform_keys[] = {ANY_NUMBER("from", "The lower end."), ANY_NUMBER("to", "The upper end.")};
 
-static const CaseKey normal_keys[] = {OPEN_LAW("mean", "sd")};
+static const CaseKey normal_keys[] = {
+    ANY_NUMBER("mean", "Mean, before the cut."), ANY_NUMBER("sd", "Standard deviation, before the cut."), CUT_OFF};
 
-static const CaseKey lognormal_keys[] = {OPEN_LAW("median", "factor")};
+static const CaseKey lognormal_keys[] = {
+    ANY_NUMBER("median", "Half lies below."),
+    ANY_NUMBER("factor", "A pure number above 1: 68 % lie between the median over it and times it."), CUT_OFF};
 
-static const CaseKey triangular_keys[] = {ANY_NUMBER("from"), ANY_NUMBER("to"), ANY_NUMBER("mode")};
+static const CaseKey triangular_keys[] = {
+    ANY_NUMBER("from", "The lower end."), ANY_NUMBER("to", "The upper end."), ANY_NUMBER("mode", "The most likely.")};
 
 /* clang-format on */
 static SECTION(uniform, "parameters.NAME.uniform", uniform_keys);
@@ -58,24 +64,27 @@ static const LawKeys study_laws[STUDY_LAWS] = {
 };
 
 static const CaseKey discrete_keys[] = {
-    {"values", KEY_LIST, .required = 1, .form = "values as the case takes them"},
-    {"weights", KEY_LIST, .otherwise = "all alike", .form = "a number for each value"},
+    {"values", KEY_LIST, .required = 1, .form = "values as the case takes them",
+     .meaning = "The choices, such as names of the catalogue."},
+    {"weights", KEY_LIST, .otherwise = "all alike", .form = "a number for each value",
+     .meaning = "Frequency of each, over their sum."},
 };
 
 SECTION(study_discrete, "parameters.NAME.discrete", discrete_keys);
 
 static const CaseKey steps_keys[] = {
-    ANY_NUMBER("from"),
-    ANY_NUMBER("to"),
-    {"count", KEY_INTEGER, .required = 1, FROM(2, 1e6), .offset = 0, .size = sizeof(long)},
+    ANY_NUMBER("from", "The first."),
+    ANY_NUMBER("to", "The last."),
+    {"count", KEY_INTEGER, .required = 1, FROM(2, 1e6), .offset = 0, .size = sizeof(long),
+     .meaning = "Number of values, with both ends."},
 };
 
 SECTION(study_steps, "parameters.NAME.steps", steps_keys);
 
 static const CaseKey range_keys[] = {
-    ANY_NUMBER("from"),
-    ANY_NUMBER("to"),
-    {"start", KEY_ANY, .otherwise = "the middle", .form = "a number, with the unit that the case takes"},
+    ANY_NUMBER("from", "The least."),
+    ANY_NUMBER("to", "The largest."),
+    MAYBE_NUMBER("start", "the middle", "Where the first search begins."),
 };
 
 SECTION(study_range, "parameters.NAME.range", range_keys);
@@ -83,105 +92,144 @@ SECTION(study_range, "parameters.NAME.range", range_keys);
 SECTION(study_whole, "parameters.NAME.whole", range_keys);
 
 static const CaseKey parameter_keys[] = {
-    {"key", KEY_ANY, .otherwise = "NAME", .form = "a dotted key of the case, or a list of such"},
-    {"uniform", KEY_MAP, .otherwise = "none", .section = &uniform},
-    {"normal", KEY_MAP, .otherwise = "none", .section = &normal},
-    {"lognormal", KEY_MAP, .otherwise = "none", .section = &lognormal},
-    {"triangular", KEY_MAP, .otherwise = "none", .section = &triangular},
-    {"discrete", KEY_MAP, .otherwise = "none", .section = &study_discrete},
-    {"values", KEY_LIST, .otherwise = "none", .form = "values as the case takes them"},
-    {"steps", KEY_MAP, .otherwise = "none", .section = &study_steps},
-    {"range", KEY_MAP, .otherwise = "none", .section = &study_range},
-    {"whole", KEY_MAP, .otherwise = "none", .section = &study_whole},
+    {"key", KEY_ANY, .otherwise = "NAME", .form = "a dotted key of the case, or a list of such",
+     .meaning = "The varied key."},
+    {"uniform", KEY_MAP, .otherwise = "none", .section = &uniform, .meaning = "Equal probability from end to end."},
+    {"normal", KEY_MAP, .otherwise = "none", .section = &normal, .meaning = "Mean and standard deviation."},
+    {"lognormal", KEY_MAP, .otherwise = "none", .section = &lognormal,
+     .meaning = "Median, and the factor within which 68 % lie."},
+    {"triangular", KEY_MAP, .otherwise = "none", .section = &triangular,
+     .meaning = "Lower end, upper end and the most likely value."},
+    {"discrete", KEY_MAP, .otherwise = "none", .section = &study_discrete,
+     .meaning = "One of several values or words."},
+    {"values", KEY_LIST, .otherwise = "none", .form = "values as the case takes them", .meaning = "Values of a grid."},
+    {"steps", KEY_MAP, .otherwise = "none", .section = &study_steps, .meaning = "Evenly spaced values of a grid."},
+    {"range", KEY_MAP, .otherwise = "none", .section = &study_range, .meaning = "Range of a search."},
+    {"whole", KEY_MAP, .otherwise = "none", .section = &study_whole, .meaning = "Range of a search for whole numbers."},
 };
 
 SECTION(study_parameter, "parameters.NAME", parameter_keys);
 
 static const CaseKey list_keys[] = {
-    {"file", KEY_TEXT, .required = 1, AT(StudyRecord, list)},
+    {"file", KEY_TEXT, .required = 1, AT(StudyRecord, list),
+     .meaning = "CSV, beside the study's file: names in the first row, a variant a row."},
 };
 
 SECTION(study_list_section, "list", list_keys);
 
 static const CaseKey correlation_keys[] = {
-    {"of", KEY_LIST, .required = 1, .form = "the names of two parameters"},
-    {"r", KEY_NUMBER, .required = 1, FROM(-1, 1), .offset = 0, .size = sizeof(double)},
+    {"of", KEY_LIST, .required = 1, .form = "the names of two parameters", .meaning = "The pair."},
+    {"r", KEY_NUMBER, .required = 1, FROM(-1, 1), .offset = 0, .size = sizeof(double),
+     .meaning = "Correlation of their normal scores (Gaussian copula); 0 for pairs that are not named."},
 };
 
 SECTION(study_correlation, "monte-carlo.correlated.N", correlation_keys);
 
 static const CaseKey monte_carlo_keys[] = {
-    {"samples", KEY_INTEGER, .required = 1, FROM(1, 1e8), AT(StudyRecord, samples)},
-    {"points", KEY_CHOICE, .fallback = "sobol", .choices = points, AT(StudyRecord, points)},
-    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed)},
-    {"correlated", KEY_LIST, .otherwise = "none", .form = "correlations one by one", .section = &study_correlation},
+    {"samples", KEY_INTEGER, .required = 1, FROM(1, 1e8), AT(StudyRecord, samples), .meaning = "Number of samples."},
+    {"points", KEY_CHOICE, .fallback = "sobol", .choices = points, AT(StudyRecord, points),
+     .meaning = "Layout of the samples."},
+    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed),
+     .meaning = "Another seed, other samples."},
+    {"correlated", KEY_LIST, .otherwise = "none", .form = "correlations one by one", .section = &study_correlation,
+     .meaning = "Pairs of correlated parameters."},
 };
 
 SECTION(study_monte_carlo, "monte-carlo", monte_carlo_keys);
 
 static const CaseKey sensitivity_keys[] = {
-    {"method", KEY_CHOICE, .fallback = "sobol", .choices = methods, AT(StudyRecord, method)},
-    {"samples", KEY_INTEGER, .required = 1, FROM(2, 1e7), AT(StudyRecord, samples)},
-    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed)},
+    {"method", KEY_CHOICE, .fallback = "sobol", .choices = methods, AT(StudyRecord, method),
+     .meaning = "sobol: shares of the variance; morris: sizes of effects, to find parameters without effect."},
+    {"samples", KEY_INTEGER, .required = 1, FROM(2, 1e7), AT(StudyRecord, samples),
+     .meaning = "sobol: number of blocks, each with two samples more than parameters; morris: number of trajectories, "
+                "each with one sample more than parameters."},
+    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed),
+     .meaning = "Another seed, other points."},
 };
 
 SECTION(study_sensitivity, "sensitivity", sensitivity_keys);
 
 static const CaseKey constraint_keys[] = {
-    {"of", KEY_TEXT, .required = 1, .form = "a parameter's name or a path into the answer", AT(StudyRecord, base)},
-    {"at_least", KEY_NUMBER, .otherwise = "no bound", FROM(-1e15, 1e15), AT(StudyRecord, at_least)},
-    {"at_most", KEY_NUMBER, .otherwise = "no bound", FROM(-1e15, 1e15), AT(StudyRecord, at_most)},
+    {"of", KEY_TEXT, .required = 1, .form = "a parameter's name or a path into the answer", AT(StudyRecord, base),
+     .meaning = "The bounded figure; with `both` that of theory."},
+    {"at_least", KEY_NUMBER, .otherwise = "no bound", FROM(-1e15, 1e15), AT(StudyRecord, at_least),
+     .meaning = "Lower bound in the parameter's unit; of a figure in SI."},
+    {"at_most", KEY_NUMBER, .otherwise = "no bound", FROM(-1e15, 1e15), AT(StudyRecord, at_most),
+     .meaning = "Upper bound in the same unit."},
 };
 
 SECTION(study_constraint, "optimise.constraints.N", constraint_keys);
 
 static const CaseKey optimise_keys[] = {
-    {"least", KEY_ANY, .otherwise = "none", .form = "a name or path, or a map of such with weights: their sum"},
-    {"most", KEY_ANY, .otherwise = "none", .form = "likewise"},
-    {"limits", KEY_FLAG, .fallback = "true", AT(StudyRecord, limits)},
-    {"constraints", KEY_LIST, .otherwise = "none", .form = "constraints one by one", .section = &study_constraint},
-    {"method", KEY_CHOICE, .fallback = "auto", .choices = search_methods, AT(StudyRecord, method)},
-    {"searches", KEY_INTEGER, .fallback = "4", FROM(1, 1000), AT(StudyRecord, searches)},
-    {"evaluations", KEY_INTEGER, .fallback = "200", FROM(2, 1e6), AT(StudyRecord, evaluations)},
-    {"tolerance", KEY_NUMBER, .fallback = "1e-3", ABOVE(0, 0.1), AT(StudyRecord, tolerance)},
-    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed)},
+    {"least", KEY_ANY, .otherwise = "none", .form = "a name or path, or a map of such with weights: their sum",
+     .meaning = "Figure to be minimised. Give this or `most`."},
+    {"most", KEY_ANY, .otherwise = "none", .form = "likewise", .meaning = "Figure to be maximised."},
+    {"limits", KEY_FLAG, .fallback = "true", AT(StudyRecord, limits), .meaning = "Whether limits are constraints."},
+    {"constraints", KEY_LIST, .otherwise = "none", .form = "constraints one by one", .section = &study_constraint,
+     .meaning = "Further constraints."},
+    {"method", KEY_CHOICE, .fallback = "auto", .choices = search_methods, AT(StudyRecord, method),
+     .meaning = "Method of the search."},
+    {"searches", KEY_INTEGER, .fallback = "4", FROM(1, 1000), AT(StudyRecord, searches),
+     .meaning = "Number of independent searches."},
+    {"evaluations", KEY_INTEGER, .fallback = "200", FROM(2, 1e6), AT(StudyRecord, evaluations),
+     .meaning = "Largest number of evaluations of each search."},
+    {"tolerance", KEY_NUMBER, .fallback = "1e-3", ABOVE(0, 0.1), AT(StudyRecord, tolerance),
+     .meaning = "Share of each range: a search ends when its points are closer together."},
+    {"seed", KEY_INTEGER, .fallback = "1", FROM(0, 1e15), AT(StudyRecord, seed),
+     .meaning = "Another seed, other points."},
 };
 
 SECTION(study_optimise, "optimise", optimise_keys);
 
 static const CaseKey calibrate_keys[] = {
-    {"log", KEY_TEXT, .required = 1, AT(StudyRecord, list)},
-    {"head", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(StudyRecord, head)},
-    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "-1e6 m", FROM(-LONG, LONG), AT(StudyRecord, from)},
-    {"to", KEY_NUMBER, DIM_LENGTH, .fallback = "1e6 m", FROM(-LONG, LONG), AT(StudyRecord, to)},
-    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "the log's", ABOVE(0, 100), AT(StudyRecord, speed)},
-    {"parts", KEY_INTEGER, .fallback = "100", FROM(5, 2000), AT(StudyRecord, samples)},
-    {"starts", KEY_FLAG, .fallback = "false", AT(StudyRecord, starts)},
-    {"raw", KEY_FLAG, .fallback = "false", AT(StudyRecord, raw)},
-    {"evaluations", KEY_INTEGER, .fallback = "1000", FROM(10, 1e5), AT(StudyRecord, evaluations)},
+    {"log", KEY_TEXT, .required = 1, AT(StudyRecord, list), .meaning = "CSV, beside the study's file."},
+    {"head", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(StudyRecord, head),
+     .meaning = "Place of the head along the route at which the log's length is 0."},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "-1e6 m", FROM(-LONG, LONG), AT(StudyRecord, from),
+     .meaning = "Place along the route: earlier readings are left out."},
+    {"to", KEY_NUMBER, DIM_LENGTH, .fallback = "1e6 m", FROM(-LONG, LONG), AT(StudyRecord, to),
+     .meaning = "Place along the route: later readings are left out."},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "the log's", ABOVE(0, 100), AT(StudyRecord, speed),
+     .meaning = "Speed of the winch, for a log that has neither lengths nor speeds."},
+    {"parts", KEY_INTEGER, .fallback = "100", FROM(5, 2000), AT(StudyRecord, samples),
+     .meaning = "Number of equal parts of the length; readings are averaged in each."},
+    {"starts", KEY_FLAG, .fallback = "false", AT(StudyRecord, starts),
+     .meaning = "Whether the force to break away is also fitted, by the restart of theory (`fidelity: theory` alone)."},
+    {"raw", KEY_FLAG, .fallback = "false", AT(StudyRecord, raw), .meaning = "Whether spikes and drop-outs are kept."},
+    {"evaluations", KEY_INTEGER, .fallback = "1000", FROM(10, 1e5), AT(StudyRecord, evaluations),
+     .meaning = "Largest number of evaluations; with `both` of theory and of runs each."},
 };
 
 SECTION(study_calibrate, "calibrate", calibrate_keys);
 
 static const CaseKey top_keys[] = {
-    {"title", KEY_TEXT, .fallback = "", AT(StudyRecord, title)},
-    {"case", KEY_TEXT, .required = 1, AT(StudyRecord, base)},
-    {"set", KEY_MAP, .otherwise = "nothing", .form = "values by the case's dotted keys"},
-    {"fidelity", KEY_CHOICE, .fallback = "theory", .choices = fidelities, AT(StudyRecord, fidelity)},
-    {"pilot", KEY_INTEGER, .fallback = "12", FROM(1, 1e6), AT(StudyRecord, pilot)},
-    {"close", KEY_NUMBER, .fallback = "0.1", FROM(0, 100), AT(StudyRecord, close)},
+    {"title", KEY_TEXT, .fallback = "", AT(StudyRecord, title), .meaning = "Title of the answer."},
+    {"case", KEY_TEXT, .required = 1, AT(StudyRecord, base), .meaning = "The base case's file, beside the study's."},
+    {"set", KEY_MAP, .otherwise = "nothing", .form = "values by the case's dotted keys",
+     .meaning = "Changes the base case, as `--set` does; a map or list as a text in quotes."},
+    {"fidelity", KEY_CHOICE, .fallback = "theory", .choices = fidelities, AT(StudyRecord, fidelity),
+     .meaning = "Calculation that answers a sample."},
+    {"pilot", KEY_INTEGER, .fallback = "12", FROM(1, 1e6), AT(StudyRecord, pilot),
+     .meaning = "With `auto`: number of samples with both answers."},
+    {"close", KEY_NUMBER, .fallback = "0.1", FROM(0, 100), AT(StudyRecord, close),
+     .meaning = "With `both`: margin of a limit within which a run is made."},
     {"parameters", KEY_MAP, .otherwise = "the columns of `list`", .form = "a name and what is varied for each",
-     .section = &study_parameter},
+     .section = &study_parameter, .meaning = "The varied keys, each under a name."},
     {"quantities", KEY_ANY, .otherwise = "pull and sidewall pressure",
-     .form = "a list of paths, or lists under `theory` and `run`"},
-    {"grid", KEY_LIST, .otherwise = "none", .form = "the parameters' names, the last one changes fastest"},
-    {"list", KEY_MAP, .otherwise = "none", .section = &study_list_section},
-    {"monte-carlo", KEY_MAP, .otherwise = "none", .section = &study_monte_carlo},
-    {"sensitivity", KEY_MAP, .otherwise = "none", .section = &study_sensitivity},
-    {"optimise", KEY_MAP, .otherwise = "none", .section = &study_optimise},
-    {"calibrate", KEY_MAP, .otherwise = "none", .section = &study_calibrate},
-    {"time_limit", KEY_NUMBER, DIM_TIME, .fallback = "10 min", FROM(0, LATE), AT(StudyRecord, time_limit)},
-    {"memory", KEY_INTEGER, .fallback = "0", FROM(0, 1e9), AT(StudyRecord, memory)},
+     .form = "a list of paths, or lists under `theory` and `run`", .meaning = "Figures that are evaluated."},
+    {"grid", KEY_LIST, .otherwise = "none", .form = "the parameters' names, the last one changes fastest",
+     .meaning = "Every combination of these parameters."},
+    {"list", KEY_MAP, .otherwise = "none", .section = &study_list_section, .meaning = "Variants from a file."},
+    {"monte-carlo", KEY_MAP, .otherwise = "none", .section = &study_monte_carlo,
+     .meaning = "Samples from distributions."},
+    {"sensitivity", KEY_MAP, .otherwise = "none", .section = &study_sensitivity, .meaning = "Which parameters matter."},
+    {"optimise", KEY_MAP, .otherwise = "none", .section = &study_optimise, .meaning = "The best parameters."},
+    {"calibrate", KEY_MAP, .otherwise = "none", .section = &study_calibrate,
+     .meaning = "Parameters that fit a measured pull."},
+    {"time_limit", KEY_NUMBER, DIM_TIME, .fallback = "10 min", FROM(0, LATE), AT(StudyRecord, time_limit),
+     .meaning = "Wall time after which a sample is given up; 0: never."},
+    {"memory", KEY_INTEGER, .fallback = "0", FROM(0, 1e9), AT(StudyRecord, memory),
+     .meaning = "MiB of address space that a worker may use; 0: no limit."},
 };
 
 SECTION(study_top, "", top_keys);

@@ -117,7 +117,7 @@ static hawser_status vertices_make(const Alignment *a, int *n, Vec3 **vertex, ha
     return status;
 }
 
-/* Section `route` of a case: plan and corners of the profile (docs/case-format.md). */
+/* Section `route` of a case: plan and corners of the profile (docs/reference/case-keys.md). */
 
 /* Radius beyond which a clothoid's end counts as straight, m. */
 static const double straight_radius = 1e6;

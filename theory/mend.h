@@ -19,7 +19,7 @@ hawser_status solved_make(const SceneDef *own, const Company *company, int forwa
 void solved_free(Solved *s);
 /* Values that a case does not give and that its limits depend on: friction, static friction, back tension, radii of
  * changes of slope. Each limit is judged at the unfavourable end of the usual range of one of them at a time.
- * docs/reference/limits.md, "What is assumed". */
+ * docs/guide/read-the-verdict.md, "SAFE ONLY IF". */
 
 typedef enum AssumedKind {
     ASSUMED_RADIUS,   /* of changes of slope: it has no range; a limit that it breaks requires a wider one */

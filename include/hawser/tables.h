@@ -15,7 +15,7 @@ typedef struct hawser_figure {
     double value; /* in the unit that `key` ends in */
 } hawser_figure;
 
-/* A machine with figures of its own in a run; docs/reference/results.md lists them by kind. */
+/* A machine with figures of its own in a run; docs/reference/columns.md lists them by kind. */
 typedef struct hawser_machine {
     const char *kind; /* "conveyors"; machines of a kind stand together */
     const char *name;

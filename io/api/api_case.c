@@ -230,7 +230,7 @@ void hawser_text_free(char *text) { free(text); }
 
 /* Notes of `hawser check` about unusual values, usually a wrong unit; no errors. */
 
-/* Usual ranges of figures of cable pulls; docs/case-format.md, "Figures that are hardly so", has the sources. */
+/* Usual ranges of figures of cable pulls; docs/case-format.md, "Unusual figures", has the sources. */
 typedef enum PlausibleKind {
     PLAUSIBLE_DIAMETER,
     PLAUSIBLE_DENSITY,

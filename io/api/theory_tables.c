@@ -48,12 +48,18 @@ static const Column piece_column[] = {
     {COLUMN("from_m", NUMBER, PieceRow, from), .label = "from, m", .decimals = 2},
     {COLUMN("length_m", NUMBER, PieceRow, length), .label = "length, m", .decimals = 2},
     {COLUMN("radius_m", NUMBER, PieceRow, radius), .label = "R, m", .decimals = 2},
+    /* law of friction on the supports: `resultant`, `separate`, `both` */
     {COLUMN("supports", TEXT, PieceRow, supports), .label = "friction on"},
+    /* tension where the pull leaves the piece, route full of cable */
     {COLUMN("forward_end_N", NUMBER, PieceRow, FORWARD(end)), .label = "forward: end, N", .decimals = 1},
     {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceRow, FORWARD(sidewall)), .label = "sidewall, N/m", .decimals = 1},
+    /* load on a roller; empty without spacing or guides */
     {COLUMN("forward_roller_N", NUMBER, PieceRow, FORWARD(roller)), .label = "roller, N"},
+    /* smaller of the margins to the allowed pull and sidewall pressure */
     {COLUMN("forward_margin_pct", NUMBER, PieceRow, FORWARD(margin)), .label = "margin, %", .decimals = 1},
+    /* the same tension by the closed form; empty if there is none */
     {COLUMN("forward_closed_N", NUMBER, PieceRow, FORWARD(closed)), .label = "closed form, N", .decimals = 1},
+    /* the same figures, pulled backward */
     {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1, .group = 1},
     {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "sidewall, N/m",
      .decimals = 1},
@@ -230,6 +236,7 @@ typedef struct PushRow {
 } PushRow;
 
 static const Column push_column[] = {
+    /* what pushes the cable along the pull */
     {COLUMN("name", TEXT, PushRow, name), .label = "pushed by"},
     {COLUMN("at_m", NUMBER, PushRow, at), .label = "at, m", .decimals = 2},
     {COLUMN("forward_N", NUMBER, PushRow, force[PLAN_FORWARD]), .label = "pushes forward, N", .decimals = 1},
@@ -258,12 +265,17 @@ static const Column compressed_column[] = {
     {COLUMN("direction", TEXT, CompressedRow, direction), .label = "direction"},
     {COLUMN("from_m", NUMBER, CompressedRow, b.from), .label = "pushed from, m", .decimals = 2},
     {COLUMN("to_m", NUMBER, CompressedRow, b.to), .label = "to, m", .decimals = 2},
+    /* compression at the place that is nearest to buckling */
     {COLUMN("push_N", NUMBER, CompressedRow, b.push), .label = "push, N", .decimals = 1},
     {COLUMN("at_m", NUMBER, CompressedRow, b.at), .label = "at, m", .decimals = 2},
+    /* `duct` or `carriers` */
     {COLUMN("held_by", TEXT, CompressedRow, by), .label = "kept straight by"},
+    /* critical load there */
     {COLUMN("critical_N", NUMBER, CompressedRow, b.critical), .label = "up to, N", .decimals = 1},
+    /* load from which the cable coils */
     {COLUMN("helix_N", NUMBER, CompressedRow, b.helix), .label = "coils from, N", .decimals = 1},
     {COLUMN("half_wave_m", NUMBER, CompressedRow, b.wave), .label = "half wave, m", .decimals = 2},
+    /* length beyond which pushing moves nothing */
     {COLUMN("locks_up_m", NUMBER, CompressedRow, b.locks_up), .label = "no push goes farther than, m", .decimals = 1},
 };
 static const Columns compressed_columns = COLUMNS(CompressedRow, compressed_column);
@@ -296,8 +308,11 @@ typedef struct HeadRow {
 static const Column head_column[] = {
     {COLUMN("direction", TEXT, HeadRow, direction), .label = "direction"},
     {COLUMN("head_m", NUMBER, HeadRow, at.head), .label = "head at, m", .decimals = 2},
+    /* tension of the cable there */
     {COLUMN("tension_N", NUMBER, HeadRow, at.tension), .label = "tension there, N", .decimals = 1},
+    /* force of the winch */
     {COLUMN("force_N", NUMBER, HeadRow, at.force), .label = "winch, N", .decimals = 1},
+    /* the same, from rest */
     {COLUMN("restart_N", NUMBER, HeadRow, at.restart), .label = "restart, N", .decimals = 1},
 };
 static const Columns head_columns = COLUMNS(HeadRow, head_column);
@@ -385,10 +400,13 @@ typedef struct BrakeRow {
 
 static const Column brake_column[] = {
     {COLUMN("direction", TEXT, BrakeRow, direction), .label = "direction"},
+    /* brake at the start that keeps the cable in tension */
     {COLUMN("brake_N", NUMBER, BrakeRow, brake.brake), .label = "brake at the start, N", .decimals = 1},
     {COLUMN("pushed_at_m", NUMBER, BrakeRow, brake.where), .label = "pushed most at, m", .decimals = 2},
     {COLUMN("piece", TEXT, BrakeRow, piece), .label = "which is"},
+    /* winch force with it */
     {COLUMN("force_N", NUMBER, BrakeRow, brake.force), .label = "winch then, N", .decimals = 1},
+    /* largest winch force if it is on from the start */
     {COLUMN("peak_N", NUMBER, BrakeRow, brake.peak), .label = "braked from the start, N", .decimals = 1},
     {COLUMN("max_tension_N", NUMBER, BrakeRow, brake.max_tension), .label = "largest tension, N", .decimals = 1},
 };
@@ -421,9 +439,12 @@ static const Column answer_column[] = {
     {COLUMN("direction", TEXT, AnswerRow, direction), .label = "direction"},
     {COLUMN("question", CHARS, AnswerRow, question), .label = "question"},
     {COLUMN("now", NUMBER, AnswerRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
+    /* largest or smallest value with which all limits hold; null if `result` says why there is none */
     {COLUMN("value", NUMBER, AnswerRow, value), .label = "answer", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, AnswerRow, unit), .label = "unit"},
+    /* the answer as text */
     {COLUMN("result", CHARS, AnswerRow, result), .label = "which is"},
+    /* the limit that is broken just beyond, `pulled` or `stiffness` */
     {COLUMN("binds", TEXT, AnswerRow, binds), .label = "then binds"},
     {COLUMN("where", TEXT, AnswerRow, place), .label = "at"},
 };
@@ -533,14 +554,20 @@ enum { FRICTIONS_MAX = 16 };
 
 static const Column remedy_column[] = {
     {COLUMN("direction", TEXT, RemedyRow, direction), .label = "direction"},
+    /* `duct radius`, `radius`, `friction` or `none`; all rows of a direction belong together */
     {COLUMN("remedy", TEXT, RemedyRow, what), .label = "remedy"},
+    /* the duct or bend */
     {COLUMN("where", TEXT, RemedyRow, place), .label = "of"},
+    /* key of the case; empty if it has none of its own */
     {COLUMN("key", CHARS, RemedyRow, key), .label = "key"},
     {COLUMN("now", NUMBER, RemedyRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
     {COLUMN("value", NUMBER, RemedyRow, value), .label = "needed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, RemedyRow, unit), .label = "unit"},
+    /* whether all limits hold with all rows of that direction */
     {COLUMN("holds", TEXT, RemedyRow, holds), .label = "all limits hold"},
+    /* the verdict then: `safe`, `safe_if` (an assumption remains), `not_safe` */
     {COLUMN("verdict_code", TEXT, RemedyRow, verdict), .label = "then"},
+    /* what is broken all the same */
     {COLUMN("still", TEXT, RemedyRow, still), .label = "still broken"},
 };
 static const Columns remedy_columns = COLUMNS(RemedyRow, remedy_column);
@@ -627,10 +654,12 @@ typedef struct NoteRow {
     char text[400];
 } NoteRow;
 
-static const Column note_column[] = {{COLUMN("note", CHARS, NoteRow, text), .label = "note"}};
+static const Column note_column[] = {
+    {COLUMN("note", CHARS, NoteRow, text), .label = "note"},
+};
 static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
-static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/reference/limits.md, "Cold" */
+static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/guide/plan-a-duct.md */
 
 /* Writes the parts of a file that are not in the route, if there are any. 1: a note. */
 static int unread_say(const SceneDef *def, char *text, size_t room)
@@ -712,6 +741,7 @@ static const Column limit_column[] = {
     {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
     {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
     {COLUMN("where", CHARS, LimitRow, limit.where), .label = "where"},
+    /* `yes`, `NO` or `not judged` */
     {.key = "ok", .text = limit_holds, .label = "holds"},
     {COLUMN("worst", NUMBER, LimitRow, limit.worst), .label = "at worst", .decimals = -1, .unit_by = "unit"},
     {.key = "assumed", .text = limit_assumed, .label = "by"},
@@ -748,7 +778,9 @@ static const Column trust_column[] = {
     {COLUMN("value", NUMBER, TrustRow, held.value), .label = "found", .decimals = -1, .unit_by = "unit"},
     {COLUMN("allowed", NUMBER, TrustRow, held.allowed), .label = "allowed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, TrustRow, held.unit), .label = "unit"},
+    /* `yes` or `NO` */
     {.key = "holds", .text = trust_holds, .label = "holds"},
+    /* what is wrong and what to do; empty if it holds */
     {COLUMN("remedy", CHARS, TrustRow, held.remedy), .label = "what is wrong"},
 };
 static const Columns trust_columns = COLUMNS(TrustRow, trust_column);

@@ -584,7 +584,8 @@ static SECTION(stations, "output.stations", stations_keys);
 
 static const CaseKey output_keys[] = {
     {"interval", KEY_NUMBER, DIM_TIME, .fallback = "50 ms", ABOVE(0, LATE), AT(OutputDef, interval)},
-    {"states", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", FROM(0, LATE), AT(OutputDef, state_interval)},
+    {"states", KEY_NUMBER, DIM_TIME, .otherwise = "500 ms, or a 200th of the duration where that is longer",
+     FROM(0, LATE), AT(OutputDef, state_interval)},
     {"stations", KEY_ANY, .otherwise = "every 2 m", .form = "section `output.stations`, or its list alone",
      .section = &stations},
     {"speeds_of", KEY_LIST, .otherwise = "the first segment, the one behind the eye, the last",
@@ -744,6 +745,10 @@ static hawser_status loads_read(const CaseReader *r, const CaseNode *list)
     return HAWSER_OK;
 }
 
+/* Where the case gives no time between states: s, and the states that a run has at most, which are eight seconds of
+ * playback at 25 a second. */
+static const double STATES_APART = 0.5, STATES_MOST = 200;
+
 /* Limits the number of outputs. */
 static hawser_status interval_check(const CaseReader *r, const CaseNode *node, const char *key, double interval)
 {
@@ -766,6 +771,7 @@ hawser_status case_output_read(CaseReader *r, const CaseNode *node)
     OutputDef *const out = &def->output;
     hawser_status status = case_section_read(r, node, &case_output, out);
     if (!status) status = interval_check(r, node, "interval", out->interval);
+    if (!case_node_key(node, "states")) out->state_interval = fmax(STATES_APART, def->duration / STATES_MOST);
     if (!status) status = interval_check(r, node, "states", out->state_interval);
     if (case_load_steps(def)) {
         out->interval = fmin(out->interval, def->duration / def->analysis.load_steps);

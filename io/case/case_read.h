@@ -1,5 +1,5 @@
-/* Reads and checks a case file into a SceneDef. docs/case-format.md describes every key; the tables that this reader
- * works from are in io/case/schema.c. */
+/* Reads and checks a case file into a SceneDef. docs/reference/case-keys.md describes every key; the tables that this
+ * reader works from are in io/case/schema.c. */
 #ifndef HAWSER_IO_CASE_CASE_READ_H
 #define HAWSER_IO_CASE_CASE_READ_H
 

@@ -1,5 +1,5 @@
-/* A case with several chains: each is the case with a chain, a drive and a place of its own. docs/case-format.md,
- * "chains.NAME", "lay". */
+/* A case with several chains: each is the case with a chain, a drive and a place of its own.
+ * docs/reference/case-keys.md, "chains.NAME", "lay". */
 #ifndef HAWSER_IO_CASE_CHAINS_H
 #define HAWSER_IO_CASE_CHAINS_H
 

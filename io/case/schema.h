@@ -1,6 +1,6 @@
 /* The keys of a case as tables, one row a key, and the reader that fills plain structs by them. A section's table is at
  * the head of the file that reads it (io/case); its rows point into the definition wherever nothing has to be computed.
- * The tables also drive the tests of bad input and the check of docs/case-format.md. */
+ * The tables also drive the tests of bad input and docs/reference/case-keys.md. */
 #ifndef HAWSER_IO_CASE_SCHEMA_H
 #define HAWSER_IO_CASE_SCHEMA_H
 
@@ -38,6 +38,7 @@ typedef struct CaseKey {
     const char *form;                  /* maps, lists, any: allowed forms, as text; NULL: the section */
     const struct CaseSection *section; /* of a map: its keys; of a list: those of each item */
     size_t offset, size;               /* place in the struct that is filled */
+    const char *meaning;               /* as text; NULL: io/case/key_words.c has it */
 } CaseKey;
 
 /* path: dotted, NAME for a key that the user chooses, N for a list's numbers; "" the whole case. */

@@ -1,7 +1,7 @@
 /* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min", "4/0 AWG". A bare number is SI; an angle
- * other than 0 is never bare, because its writer would mean degrees and the program radians. docs/case-format.md lists
- * the units. The algebra is a page long and allocates nothing; libudunits2 ends the program or crashes where there is
- * no memory, and keeps its state in globals. */
+ * other than 0 is never bare, because its writer would mean degrees and the program radians.
+ * docs/reference/case-keys.md lists the units. The algebra is a page long and allocates nothing; libudunits2 ends the
+ * program or crashes where there is no memory, and keeps its state in globals. */
 #ifndef HAWSER_IO_CASE_UNITS_H
 #define HAWSER_IO_CASE_UNITS_H
 

@@ -1,4 +1,4 @@
-/* The crew's sheet: one printed side with the data that the crew needs. docs/formats.md, "The crew's sheet". */
+/* The crew's sheet: one printed side with the data that the crew needs. docs/guide/jobs-and-sheets.md. */
 #ifndef HAWSER_IO_REPORT_CREW_H
 #define HAWSER_IO_REPORT_CREW_H
 

@@ -249,7 +249,7 @@ void states_clear(States *s)
     *s = (States){0};
 }
 
-/* The sets are those of docs/reference/results.md, "results.h5"; the keys those of docs/formats.md. A list of things is
+/* The sets are those of docs/reference/columns.md, "results.h5"; the keys those of docs/formats.md. A list of things is
  * a struct of arrays in the file and an array of objects on the page. */
 
 /* Significant digits: a millimetre on ten kilometres. */

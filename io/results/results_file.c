@@ -575,43 +575,69 @@ hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX],
 #define MEMBER(array, of, m) ITEMS(array), .start = offsetof(of, m)
 
 const SampleColumn sample_column[] = {
+    /* simulated time */
     {"time_s", VALUE(t), .set = "time", .unit = "s", .about = "time of every state"},
-    {"winch_force_N", VALUE(winch_force), .set = "winch_force", .unit = "N", .about = "pull on the rope's end"},
+    /* pull of the winch on the rope's end, along the winch's direction */
+    {"winch_force_N", VALUE(winch_force), .set = "winch_force", .unit = "N",
+     .about = "pull of the winch on the rope's end"},
+    /* back tension at the tail; with a reel that pays out, tension of the cable where it leaves the drum */
     {"tail_tension_N", VALUE(tail_tension), .set = "tail_tension", .unit = "N", .about = "back tension at the tail"},
+    /* prescribed speed; of a winch with a set tension the speed of the head */
     {"winch_speed_m_per_s", VALUE(winch_speed)},
+    /* length hauled in so far */
     {"winch_travel_m", VALUE(winch_travel)},
+    /* largest axial force of all joints */
     {"max_tension_N", VALUE(max_tension)},
+    /* its joint: joint j lies between segments j-1 and j; 0 is the tail, the last is at the winch */
     {"max_tension_joint", VALUE(max_tension_joint), .count = 1},
+    /* number of contacts that carry a force */
     {"active_contacts", VALUE(active_contacts), .count = 1},
+    /* last step of the integrator */
     {"step_size_s", VALUE(step_size), .digits = 5},
+    /* place of the front along the route; empty past the winch. This column and the next exist only if the front
+     * moves along the route */
     {"head_at_m", VALUE(head_at), .of = OF_FRONT, .set = "head_at", .unit = "m",
      .about = "place of the cable's front along the route; NaN: past the winch, or it has none"},
+    /* winch force by the reference theory with the front there, the reel at full speed */
     {"reference_N", VALUE(reference), .of = OF_FRONT},
+    /* speed of the drum; this column and the next two exist only with a reel that pays out */
     {"reel_speed_rad_per_s", VALUE(reel_speed), .of = OF_REEL},
+    /* cable that has left the drum, with what lay along the route at the start */
     {"paid_out_m", VALUE(paid_out), .of = OF_REEL},
+    /* cable that is still on the drum */
     {"wound_m", VALUE(wound), .of = OF_REEL},
+    /* segment K of `output.speeds_of`: speed along its own axis */
     {"speed_*_m_per_s", ITEMS(axial_speed), .of = OF_SEGMENT, .per = PER_SEGMENT, .frame = "axial_speed"},
-    /* at the joint ahead of the segment */
+    /* the same segment: axial force of the joint ahead of it */
     {"tension_*_N", ITEMS(tension), .of = OF_SEGMENT, .start = sizeof(double), .set = "tension", .unit = "N",
      .about = "axial force of joint j, between segments j-1 and j", .per = PER_JOINT, .frame = "tension"},
     {"*", MEMBER(figure, hawser_figure, value), .of = OF_FIGURE},
+    /* probe of `output.probes`: position */
     {"*_@_m", MEMBER(probe, hawser_probe, position), .of = OF_PROBE, .digits = 12},
+    /* its displacement */
     {"*_d@_m", MEMBER(probe, hawser_probe, displacement), .of = OF_PROBE, .digits = 12},
+    /* its rotation, as a vector */
     {"*_r@_rad", MEMBER(probe, hawser_probe, rotation), .of = OF_PROBE, .digits = 12},
+    /* force of the part of the chain ahead on the part behind */
     {"*_f@_N", MEMBER(probe, hawser_probe, force), .of = OF_PROBE, .digits = 12},
+    /* its moment */
     {"*_m@_N_m", MEMBER(probe, hawser_probe, moment), .of = OF_PROBE, .digits = 12},
+    /* roller NAME of `output.rollers_of`: size of the contact force */
     {"load_*_N", ITEMS(roller_load), .of = OF_ROLLER, .set = "roller_load", .unit = "N",
      .about = "size of the contact force on each roller", .per = PER_ROLLER},
     {NULL, ITEMS(field.roller_force), .set = "roller_force", .unit = "N",
      .about = "contact force on each roller, x y z", .per = PER_ROLLER, .width = 3},
     {NULL, ITEMS(field.curvature), .set = "curvature", .unit = "1/m",
-     .about = "at joint j; 0 at both ends of the chain", .per = PER_JOINT, .single = 1, .frame = "curvature"},
+     .about = "at joint j: angle between its segments over the distance of their middles; 0 at both ends",
+     .per = PER_JOINT, .single = 1, .frame = "curvature"},
     {NULL, ITEMS(field.sidewall), .set = "sidewall", .unit = "N/m",
-     .about = "at joint j: tension over the radius of the route's bend, on the worst loaded cable; 0 on the rope",
+     .about = "at joint j: tension over the radius of the route's bend, on the worst loaded cable; negative where a "
+              "cable in "
+              "compression presses outward; 0 on straights and on the rope",
      .per = PER_JOINT, .single = 1, .frame = "sidewall"},
     {NULL, ITEMS(field.contact_line_load), .set = "contact_line_load", .unit = "N/m",
-     .about = "size of all contact forces on a segment over its length", .per = PER_SEGMENT, .single = 1,
-     .frame = "contact_line_load"},
+     .about = "size of all contact forces on a segment, friction included, over its length", .per = PER_SEGMENT,
+     .single = 1, .frame = "contact_line_load"},
     {NULL, ITEMS(position), .set = "position", .unit = "m", .about = "segment centres, x y z", .per = PER_SEGMENT,
      .width = 3, .frame = "position"},
     {NULL, ITEMS(quaternion), .set = "quaternion", .unit = "1",

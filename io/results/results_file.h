@@ -229,7 +229,7 @@ extern const int envelope_sets;
 #define STATES_FILE "states.hawser"
 #endif
 
-/* The sampled states, one row a state, readable while the run goes on. docs/reference/results.md lists its content.
+/* The sampled states, one row a state, readable while the run goes on. docs/reference/columns.md lists its content.
  * HDF5 prints nothing: errors are returned as a status. */
 typedef struct H5File H5File;
 

@@ -16,8 +16,9 @@
 
 const FixedSet geometry_set[] = {
     {"geometry/route/s", FIXED_NUMBER, OF(route_s, n_route), 0, "m", "arc length along the route"},
-    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route), 3, "m", "of the route's line"},
-    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route), 0, "1/m", "of the route's line"},
+    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route), 3, "m", "x y z of the route's line"},
+    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route), 0, "1/m",
+     "of the route's line; at a jump that of the piece ahead"},
     {"geometry/rollers/name", FIXED_NAME, OF(roller_name, n_rollers), 0, "",
      "rollers and obstacles, as in roller_load"},
     {"geometry/rollers/kind", FIXED_NAME, OF(roller_kind, n_rollers), 0, "", "roller, hold-down, box, bell-mouth"},
@@ -25,7 +26,7 @@ const FixedSet geometry_set[] = {
     {"geometry/rollers/position", FIXED_NUMBER, OF(roller_position, n_rollers), 3, "m", "centres, where they begin"},
     {"geometry/rollers/axis", FIXED_NUMBER, OF(roller_axis, n_rollers), 3, "1", "unit vectors"},
     {"geometry/rollers/radius", FIXED_NUMBER, OF(roller_radius, n_rollers), 0, "m",
-     "at the bottom of a groove; box: half its smallest size; bell-mouth: of its section"},
+     "at the bottom of a groove; of a box half its smallest size, of a bell-mouth that of its section"},
     {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers), 0, "m", "length along the axis"},
     {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers), 0, "m", "depth of the groove; 0: none"},
     {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N", "rated load; NaN: not given"},
@@ -33,7 +34,8 @@ const FixedSet geometry_set[] = {
     {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles), 3, "1", "unit vector across the axis"},
     {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles), 3, "m",
      "along the axis, along side, and square to both"},
-    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles), 0, "m", "radius of its edges"},
+    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles), 0, "m",
+     "radius of its edges; of a bell-mouth that of its section"},
     {"geometry/obstacles/ring", FIXED_NUMBER, OF(obstacle_ring, n_obstacles), 0, "m",
      "of a bell-mouth: from the axis to the middle of its round section; NaN: a box"},
     {"geometry/conveyors/name", FIXED_NAME, OF(conveyor_name, n_conveyors), 0, "", "of every conveyor"},
@@ -41,8 +43,10 @@ const FixedSet geometry_set[] = {
     {"geometry/conveyors/to", FIXED_NUMBER, OF(conveyor_to, n_conveyors), 0, "m", "along the route"},
     {"geometry/conveyors/points", FIXED_NUMBER, OF(conveyor_points, n_conveyors), 6, "m",
      "where the cable enters and where it leaves, x y z each"},
-    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m", "corners of the triangles"},
-    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1", "three points each"},
+    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m",
+     "corners of the triangles, single precision"},
+    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1",
+     "three corners each, counter-clockwise from outside"},
     {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
      "part of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
     {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
@@ -71,47 +75,45 @@ const FixedSet surface_set[] = {
 
 const int surface_sets = sizeof surface_set / sizeof *surface_set;
 
-#define OVER_TIME(line, quantity, unit, what)                                                                          \
-    {"envelope/" #line "/" #quantity "_min",                                                                           \
-     FIXED_NUMBER,                                                                                                     \
-     .values = offsetof(Envelope, line.quantity.least),                                                                \
-     .count = offsetof(Envelope, line.n),                                                                              \
-     0,                                                                                                                \
-     unit,                                                                                                             \
-     "least over time of " what},                                                                                      \
-        {"envelope/" #line "/" #quantity "_mean",                                                                      \
-         FIXED_NUMBER,                                                                                                 \
-         .values = offsetof(Envelope, line.quantity.mean),                                                             \
-         .count = offsetof(Envelope, line.n),                                                                          \
-         0,                                                                                                            \
-         unit,                                                                                                         \
-         "mean over time of " what},                                                                                   \
-    {                                                                                                                  \
-        "envelope/" #line "/" #quantity "_max", FIXED_NUMBER, .values = offsetof(Envelope, line.quantity.largest),     \
-                                                              .count = offsetof(Envelope, line.n), 0, unit,            \
-                                                              "largest over time of " what                             \
-    }
-#define ALONG(line, what)                                                                                              \
-    {"envelope/" #line "/s",                                                                                           \
-     FIXED_NUMBER,                                                                                                     \
-     .values = offsetof(Envelope, line.s),                                                                             \
-     .count = offsetof(Envelope, line.n),                                                                              \
-     0,                                                                                                                \
-     "m",                                                                                                              \
-     what},                                                                                                            \
-        {"envelope/" #line "/time",                                                                                    \
-         FIXED_NUMBER,                                                                                                 \
-         .values = offsetof(Envelope, line.time),                                                                      \
-         .count = offsetof(Envelope, line.n),                                                                          \
-         0,                                                                                                            \
-         "s",                                                                                                          \
-         "over which the means are"},                                                                                  \
-        OVER_TIME(line, tension, "N", "the tension"), OVER_TIME(line, curvature, "1/m", "the curvature"),              \
-        OVER_TIME(line, sidewall, "N/m", "the sidewall pressure")
+#define OVER(line, member) .values = offsetof(Envelope, line.member), .count = offsetof(Envelope, line.n)
 
 const FixedSet envelope_set[] = {
-    ALONG(arc, "of every joint from the tail, unstretched"),
-    ALONG(place, "along the route; values are of the cable that was there, NaN: none was"),
+    {"envelope/arc/s", FIXED_NUMBER, OVER(arc, s), 0, "m", "of every joint from the tail, unstretched"},
+    {"envelope/arc/time", FIXED_NUMBER, OVER(arc, time), 0, "s", "over which the means are"},
+    {"envelope/arc/tension_min", FIXED_NUMBER, OVER(arc, tension.least), 0, "N", "least over time of the tension"},
+    {"envelope/arc/tension_mean", FIXED_NUMBER, OVER(arc, tension.mean), 0, "N", "mean over time of the tension"},
+    {"envelope/arc/tension_max", FIXED_NUMBER, OVER(arc, tension.largest), 0, "N", "largest over time of the tension"},
+    {"envelope/arc/curvature_min", FIXED_NUMBER, OVER(arc, curvature.least), 0, "1/m",
+     "least over time of the curvature"},
+    {"envelope/arc/curvature_mean", FIXED_NUMBER, OVER(arc, curvature.mean), 0, "1/m",
+     "mean over time of the curvature"},
+    {"envelope/arc/curvature_max", FIXED_NUMBER, OVER(arc, curvature.largest), 0, "1/m",
+     "largest over time of the curvature"},
+    {"envelope/arc/sidewall_min", FIXED_NUMBER, OVER(arc, sidewall.least), 0, "N/m",
+     "least over time of the sidewall pressure"},
+    {"envelope/arc/sidewall_mean", FIXED_NUMBER, OVER(arc, sidewall.mean), 0, "N/m",
+     "mean over time of the sidewall pressure"},
+    {"envelope/arc/sidewall_max", FIXED_NUMBER, OVER(arc, sidewall.largest), 0, "N/m",
+     "largest over time of the sidewall pressure"},
+    {"envelope/place/s", FIXED_NUMBER, OVER(place, s), 0, "m",
+     "along the route; values are of the cable that was there, NaN: none was"},
+    {"envelope/place/time", FIXED_NUMBER, OVER(place, time), 0, "s", "over which the means are"},
+    {"envelope/place/tension_min", FIXED_NUMBER, OVER(place, tension.least), 0, "N", "least over time of the tension"},
+    {"envelope/place/tension_mean", FIXED_NUMBER, OVER(place, tension.mean), 0, "N", "mean over time of the tension"},
+    {"envelope/place/tension_max", FIXED_NUMBER, OVER(place, tension.largest), 0, "N",
+     "largest over time of the tension"},
+    {"envelope/place/curvature_min", FIXED_NUMBER, OVER(place, curvature.least), 0, "1/m",
+     "least over time of the curvature"},
+    {"envelope/place/curvature_mean", FIXED_NUMBER, OVER(place, curvature.mean), 0, "1/m",
+     "mean over time of the curvature"},
+    {"envelope/place/curvature_max", FIXED_NUMBER, OVER(place, curvature.largest), 0, "1/m",
+     "largest over time of the curvature"},
+    {"envelope/place/sidewall_min", FIXED_NUMBER, OVER(place, sidewall.least), 0, "N/m",
+     "least over time of the sidewall pressure"},
+    {"envelope/place/sidewall_mean", FIXED_NUMBER, OVER(place, sidewall.mean), 0, "N/m",
+     "mean over time of the sidewall pressure"},
+    {"envelope/place/sidewall_max", FIXED_NUMBER, OVER(place, sidewall.largest), 0, "N/m",
+     "largest over time of the sidewall pressure"},
 };
 
 const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;

@@ -1,4 +1,4 @@
-/* The comment above a column describes it: docs/reference/results.md and Python's tables are made from these. One
+/* The comment above a column describes it: docs/reference/columns.md and Python's tables are made from these. One
  * without has that of the column before it. (tests/house/check_columns.py) stations.csv, rollers.csv and modes.csv,
  * which are small and written once, at the end; inputs.csv and route.csv, which are known at the start. */
 #include "core/error.h"
@@ -219,7 +219,6 @@ static double place_error(const void *row)
     return error_percent(p->pull_N, p->reference_N);
 }
 
-/* Returns the place; without compression there is none. */
 static const Column place_column[] = {
     /* place of the front along the route */
     {COLUMN("head_m", NUMBER, hawser_place, head_m)},
@@ -298,23 +297,39 @@ hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *
 
 /* ------------------------------------------------------------------------------------------- the route by pieces */
 
-#define WAY_COLUMNS(key, words, k)                                                                                     \
-    {COLUMN(key "_start_N", NUMBER, PieceLine, way[k].in), .label = words ": in, N", .decimals = 1},                   \
-        {COLUMN(key "_end_N", NUMBER, PieceLine, way[k].out), .label = "out, N", .decimals = 1},                       \
-        {COLUMN(key "_rest_N", NUMBER, PieceLine, way[k].rest), .label = "out from rest, N", .decimals = 1},           \
-    {                                                                                                                  \
-        COLUMN(key "_sidewall_N_per_m", NUMBER, PieceLine, way[k].sidewall), .label = "T/R, N/m", .decimals = 1        \
-    }
 static const Column piece_column[] = {
+    /* the piece's */
     {COLUMN("name", TEXT, PieceLine, name), .label = "piece"},
+    /* stretch of the route */
     {COLUMN("from_m", NUMBER, PieceLine, from), .label = "from, m", .decimals = 2},
     {COLUMN("to_m", NUMBER, PieceLine, to), .label = "to, m", .decimals = 2},
+    /* angle of a bend; null of straights */
     {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 2},
+    /* radius, of curves the least; null of straights */
     {COLUMN("radius_m", NUMBER, PieceLine, radius), .label = "R, m", .decimals = 2},
+    /* `left`, `right`, `up`, `down` or both; empty of straights */
     {COLUMN("turns", TEXT, PieceLine, turns), .label = "turns"},
+    /* slope at its start */
     {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 2},
+    /* friction in motion, with the weight correction of ducts */
     {COLUMN("mu", NUMBER, PieceLine, mu), .label = "friction", .decimals = 3},
+    /* the same at rest */
     {COLUMN("mu_rest", NUMBER, PieceLine, mu_rest), .label = "at rest", .decimals = 3},
-    WAY_COLUMNS("forward", "forward", 0),
-    WAY_COLUMNS("back", "back", 1)};
+    /* tension in motion where the pull enters, pulled forward */
+    {COLUMN("forward_start_N", NUMBER, PieceLine, way[0].in), .label = "forward: in, N", .decimals = 1},
+    /* tension in motion where it leaves */
+    {COLUMN("forward_end_N", NUMBER, PieceLine, way[0].out), .label = "out, N", .decimals = 1},
+    /* tension there, from rest */
+    {COLUMN("forward_rest_N", NUMBER, PieceLine, way[0].rest), .label = "out from rest, N", .decimals = 1},
+    /* largest T/R on the piece, on the worst loaded cable */
+    {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceLine, way[0].sidewall), .label = "T/R, N/m", .decimals = 1},
+    /* tension in motion where the pull enters, pulled back */
+    {COLUMN("back_start_N", NUMBER, PieceLine, way[1].in), .label = "back: in, N", .decimals = 1},
+    /* tension in motion where it leaves */
+    {COLUMN("back_end_N", NUMBER, PieceLine, way[1].out), .label = "out, N", .decimals = 1},
+    /* tension there, from rest */
+    {COLUMN("back_rest_N", NUMBER, PieceLine, way[1].rest), .label = "out from rest, N", .decimals = 1},
+    /* largest T/R on the piece, on the worst loaded cable */
+    {COLUMN("back_sidewall_N_per_m", NUMBER, PieceLine, way[1].sidewall), .label = "T/R, N/m", .decimals = 1},
+};
 const Columns piece_line_columns = COLUMNS(PieceLine, piece_column);

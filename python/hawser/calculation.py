@@ -11,7 +11,7 @@ from hawser.results import Verdict
 
 
 class Theory:
-    """The pulling calculation of a case (docs/reference/results.md, "hawser theory").
+    """The pulling calculation of a case (docs/reference/results.md, "What `hawser theory` prints").
 
     Tables by name: theory["stations"], a DataFrame with the unit in every column's name. `names` says which there are.
     """

@@ -130,7 +130,7 @@ class OwnFolder:
 
 
 class Result:
-    """What a run has found. Tables are pandas DataFrames with the unit in every column's name, as docs/reference/results.md lists them;
+    """What a run has found. Tables are pandas DataFrames with the unit in every column's name, as docs/reference/columns.md lists them;
     each is read when it is asked for first.
 
     folder: where the files are, all of one run (else CaseError); a run without `out` has a folder of its own, which goes with the Result
@@ -264,7 +264,7 @@ class Result:
 
     @functools.cached_property
     def states(self) -> Any:
-        """The sampled states: time (s), position (m), velocity (m/s), tension (N) and more, as docs/reference/results.md lists the sets
+        """The sampled states: time (s), position (m), velocity (m/s), tension (N) and more, as docs/reference/columns.md lists the sets
         of results.h5. An xarray.Dataset; without xarray a dict of numpy arrays. Needs h5py."""
         try:
             import h5py

@@ -154,17 +154,29 @@ static void motors_figures(const Room *room, int i, const TimeMean *kept, double
     for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
 }
 
-static const MachineKind MOTORS = {.key = "motors",
-                                   .count = motors_count,
-                                   .name = motors_name,
-                                   .n_now = 2,
-                                   .n_kept = 4,
-                                   .now = {"torque_N_m", "speed_m_per_s"},
-                                   .keep = motors_keep,
-                                   .n_figures = 8,
-                                   .figure = {"at_m", "limit_N_m", "reference_N", "steady_mean_N_m", "peak_N_m",
-                                              "surface_m_per_s", "power_W", "at_limit"},
-                                   .figures = motors_figures};
+static const MachineKind MOTORS = {
+    .key = "motors",
+    .count = motors_count,
+    .name = motors_name,
+    .n_now = 2,
+    .n_kept = 4,
+    .now = {
+        /* motor of a roller: torque on the roller, positive with the pull */ "torque_N_m",
+        /* motor: speed of the roller's surface */ "speed_m_per_s",
+    },
+    .keep = motors_keep,
+    .n_figures = 8,
+    .figure = {
+        /* place along the route; null if listed by coordinates */ "at_m",
+        /* set torque, or the largest torque of a set speed */ "limit_N_m",
+        /* push by the reference theory, beside a fixed roller there */ "reference_N",
+        /* mean torque of the steady window */ "steady_mean_N_m",
+        /* largest torque */ "peak_N_m",
+        /* mean speed of the surface */ "surface_m_per_s",
+        /* mean power */ "power_W",
+        /* share of the window at the limit of torque or speed */ "at_limit",
+    },
+    .figures = motors_figures};
 
 const RoomKind MOTORS_ROOM = {.name = "motors",
                               .build = motors_build,
@@ -704,17 +716,31 @@ static void conveyors_figures(const Room *room, int i, const TimeMean *kept, dou
     for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
 }
 
-static const MachineKind CONVEYORS = {.key = "conveyors",
-                                      .count = conveyors_count,
-                                      .name = conveyors_name,
-                                      .n_now = 2,
-                                      .n_kept = 5,
-                                      .now = {"force_N", "slip_m_per_s"},
-                                      .keep = conveyors_keep,
-                                      .n_figures = 10,
-                                      .figure = {"from_m", "to_m", "grip_N", "reference_N", "steady_mean_N", "peak_N",
-                                                 "belt_m_per_s", "slip_m_per_s", "slipping", "gripping"},
-                                      .figures = conveyors_figures};
+static const MachineKind CONVEYORS = {
+    .key = "conveyors",
+    .count = conveyors_count,
+    .name = conveyors_name,
+    .n_now = 2,
+    .n_kept = 5,
+    .now = {
+        /* conveyor: force on the cable along the pull */ "force_N",
+        /* conveyor: speed of the cable less that of the belt; 0 without cable */ "slip_m_per_s",
+    },
+    .keep = conveyors_keep,
+    .n_figures = 10,
+    .figure = {
+        /* place along the route */ "from_m",
+        /* end of the belts */ "to_m",
+        /* largest force that it can give */ "grip_N",
+        /* force by the reference theory */ "reference_N",
+        /* mean force of the steady window */ "steady_mean_N",
+        /* largest force */ "peak_N",
+        /* mean speed of the belt */ "belt_m_per_s",
+        /* mean slip, cable less belt */ "slip_m_per_s",
+        /* share of the window with more slip than `v_s` */ "slipping",
+        /* share of the window with cable in more than half of the belts */ "gripping",
+    },
+    .figures = conveyors_figures};
 
 const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .build = conveyors_build,

@@ -28,7 +28,7 @@ typedef struct SkinPlace {
 
 /* Surroundings of the cable as plain data for drawing: the route, rollers, obstacles, ducts and trays, conveyors, the
  * reel and the winch, and the chain's own sizes. Lengths in m, all coordinates as in the results; what moves is at its
- * initial place. docs/reference/results.md, "results.h5", lists every data set. */
+ * initial place. docs/reference/columns.md, "results.h5", lists every data set. */
 
 /* Largest distance of a line through the points from the route, m; largest number of points. */
 #define GEOMETRY_SAGITTA 0.01

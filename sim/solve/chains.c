@@ -1059,18 +1059,37 @@ static void chains_figures(const Room *room, int i, const TimeMean *kept, double
     for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
 }
 
-static const MachineKind CHAINS = {.key = "chains",
-                                   .count = chains_count,
-                                   .name = chains_name,
-                                   .n_now = 6,
-                                   .n_kept = 8,
-                                   .now = {"pull_N", "share", "between_N_per_m", "walls_N", "crossings", "twist_rad"},
-                                   .keep = chains_keep,
-                                   .n_figures = 12,
-                                   .figure = {"pull_mean_N", "pull_peak_N", "share", "between_mean_N_per_m",
-                                              "between_peak_N_per_m", "walls_mean_N", "weight_N", "weight_correction",
-                                              "weight_factor", "reference_N", "crossings", "twist_rad"},
-                                   .figures = chains_figures};
+static const MachineKind CHAINS = {
+    .key = "chains",
+    .count = chains_count,
+    .name = chains_name,
+    .n_now = 6,
+    .n_kept = 8,
+    .now = {
+        /* each of several chains, and `all` of them: pull at the head */ "pull_N",
+        /* share of the pull of all chains that are no ropes; empty for ropes */ "share",
+        /* largest contact pressure of another chain on it */ "between_N_per_m",
+        /* normal forces of rollers and surfaces on it, sizes summed */ "walls_N",
+        /* number of places at which others change sides along it */ "crossings",
+        /* mean angle by which others turn about it from tail to head */ "twist_rad",
+    },
+    .keep = chains_keep,
+    .n_figures = 12,
+    .figure = {
+        /* mean pull at the head */ "pull_mean_N",
+        /* largest pull */ "pull_peak_N",
+        /* share of the pull of all chains that are no ropes */ "share",
+        /* mean of the largest contact pressure of another chain */ "between_mean_N_per_m",
+        /* its peak */ "between_peak_N_per_m",
+        /* normal forces of rollers and surfaces, sizes summed */ "walls_mean_N",
+        /* weight on the route */ "weight_N",
+        /* these forces over that weight */ "weight_correction",
+        /* the same by formula */ "weight_factor",
+        /* theory with that factor, mean of the steady window */ "reference_N",
+        /* number of places at which others change sides */ "crossings",
+        /* angle by which others turn about it */ "twist_rad",
+    },
+    .figures = chains_figures};
 
 const RoomKind CHAINS_ROOM = {.name = "several chains",
                               .build = chains_build,

@@ -1,7 +1,7 @@
 /* State that CVODE keeps from step to step: order, step sizes, coefficients, counters, and which of its vectors are its
  * history. It offers no call for that, and its structures are not public: the relevant bytes are listed here by offset
  * and length, for the versions with this layout. Wherever the list is used, the layout is checked against everything
- * that CVODE reports about itself. docs/formats.md, "The integrator". */
+ * that CVODE reports about itself. docs/formats.md, "The checkpoint". */
 #ifndef HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 #define HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 

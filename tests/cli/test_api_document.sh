@@ -1,11 +1,12 @@
-# The programs of docs/guide/c.md, compiled against the header and the library, print what they should.
+# The programs of docs/guide/c.md and those in docs/tutorial/ that it names, compiled against the header and the library, print what they should.
 library=$1 source=$2
 hawser=
 . "$source/tests/cli/common.sh"
 what="a program of docs/guide/c.md"
 
-awk -v work="$work" '/^```c$/ { n++; on = 1; next } /^```$/ { on = 0 } on { print >(work "/example" n ".c") }' "$source/docs/guide/c.md"
-for name in example1 example2 example3; do
+sed -n '/^```c$/,/^```$/p' "$source/docs/guide/c.md" | sed '/^```/d' >"$work/example.c"
+cp "$source/docs/tutorial/controller.c" "$source/docs/tutorial/contacts.c" "$work"
+for name in example controller contacts; do
     ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$source/include" "$work/$name.c" -o "$work/$name" "$library" \
         -Wl,-rpath,"$(dirname "$library")" || { fail "$what: $name does not compile"; finish; }
     "$work/$name" >"$work/out" 2>"$work/err" || fail "$what: $name does not run"
@@ -14,7 +15,7 @@ for name in example1 example2 example3; do
 done
 
 # mu m g = 0.2 * 200 kg * 9.81 m/s2; the simulated pull lies below by what the winch carries of a span
-mv "$work/example1.out" "$work/out"
+mv "$work/example.out" "$work/out"
 says out "theory 392.4 N" "middle:" "t = 1.0 s" "t = 3.0 s: winch pulls"
 awk '$1 == "pull" && ($2 < 382 || $2 > 394) { exit 1 }
      /t = 3.0 s/ && ($7 < 573 || $7 > 591) { exit 1 }' "$work/out" || {
@@ -22,13 +23,13 @@ awk '$1 == "pull" && ($2 < 382 || $2 > 394) { exit 1 }
     cat "$work/out" >&2
 }
 # 3 kN within 2 %
-awk '/t = 20 s/ && $5 > 2940 && $5 < 3060 { held = 1 } END { exit !held }' "$work/example2.out" || {
+awk '/t = 20 s/ && $5 > 2940 && $5 < 3060 { held = 1 } END { exit !held }' "$work/controller.out" || {
     fail "$what: the controller does not hold the pull:"
-    cat "$work/example2.out" >&2
+    cat "$work/controller.out" >&2
 }
 # ten or so rollers carry 200 kg less what the winch holds
-awk '/^t = / { n++; if ($8 < 1700 || $8 > 2100) exit 1 } END { exit n != 3 }' "$work/example3.out" || {
+awk '/^t = / { n++; if ($8 < 1700 || $8 > 2100) exit 1 } END { exit n != 3 }' "$work/contacts.out" || {
     fail "$what: contacts do not carry the cable:"
-    cat "$work/example3.out" >&2
+    cat "$work/contacts.out" >&2
 }
 finish

@@ -1,4 +1,4 @@
-# The program of docs/guide/fmi.md, compiled, holds the tension through the archive that `hawser fmu` writes; what the command
+# docs/tutorial/fmu-controller.c, compiled, holds the tension through the archive that `hawser fmu` writes; what the command
 # says of wrong arguments.
 hawser=$1 source=$2
 . "$source/tests/cli/common.sh"
@@ -20,8 +20,8 @@ rm -f "$work"/*.fmu
 
 cp "$source/tests/data/hold-tension.yaml" "$work"
 run_hawser 0 fmu hold-tension.yaml -o hold.fmu
-what="the program of docs/guide/fmi.md"
-sed -n '/^```c$/,/^```$/p' "$source/docs/guide/fmi.md" | sed '/^```/d' >"$work/example.c"
+what="docs/tutorial/fmu-controller.c"
+cp "$source/docs/tutorial/fmu-controller.c" "$work/example.c"
 ${CC:-cc} -std=c11 -Wall -Wextra -Werror "$work/example.c" -o "$work/example" -ldl || { fail "$what: does not compile"; finish; }
 python3 - "$work" >"$work/arguments" <<'END' || { fail "$what: no archive"; finish; }
 import re, sys, zipfile

@@ -11,6 +11,7 @@ import check_handles
 import check_includes
 import check_reference
 import check_sizes
+import check_style
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
 import architecture  # noqa: E402
@@ -168,13 +169,38 @@ class Documents(unittest.TestCase):
                      "cases/one.yaml": ""}).complaints(check_documents.check)
 
     def test_what_is_there(self):
-        self.assertEqual([], self.check("[b](b.md) ![top](../README.md) [far](https://a.b/c.md) [here](#part)\n"
+        self.assertEqual([], self.check("# A `part`, twice\n## Two\n## Two\n"
+                                        "[b](b.md) ![top](../README.md) [far](https://a.b/c.md#x) [here](#a-part-twice) [again](a.md#two-1)\n"
                                         "`core/` `core/a.c` `core/a.{c,h}` `cases/NAME.yaml` `core/*.h` `sim` `a/b.c`\n"))
 
     def test_what_is_not(self):
         self.assertEqual(["docs/a.md:2: links to c.md, which is not there"], self.check("\n[c](c.md)\n"))
         self.assertEqual(["docs/a.md:1: names core/b.c, which is not there"], self.check("`core/b.c`"))
         self.assertEqual(1, len(self.check("`core/a.{c,cc}`")))
+
+    def test_headings_that_are_not(self):
+        self.assertEqual(["docs/a.md:3: links to #two, which is not there", "docs/a.md:4: links to b.md#one, which is not there"],
+                         self.check("# One\n\n[c](#two)\n[d](b.md#one)\n```\n# Two\n```\n"))
+
+
+    def test_sections_that_comments_cite(self):
+        found = Tree({"docs/a.md": "# One `x`\n## Two (and more)\n", "core/a.c": '/* docs/a.md, "Two"; docs/a.md,\n * "One x". */\n',
+                      "core/b.c": '/* docs/a.md, "Three". */\n'}).complaints(check_documents.check)
+        self.assertEqual(['core/b.c:1: cites docs/a.md, "Three", which is not there'], found)
+
+
+class Style(unittest.TestCase):
+    def check(self, path, text):
+        return Tree({path: text}).complaints(check_style.check)
+
+    def test_pages_by_hand(self):
+        long = "Word " * 31 + "end.\n"
+        self.assertEqual([], self.check("docs/theory/a.md", "A short sentence.\n"))
+        self.assertIn("a sentence of 32 words", self.check("docs/theory/a.md", long)[0])
+        self.assertEqual([], self.check("docs/reference/columns.md", long))
+
+    def test_terms(self):
+        self.assertIn("write given", self.check("bench/README.md", "The program is told a length.\n")[0])
 
 
 class Causes(unittest.TestCase):

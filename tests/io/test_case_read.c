@@ -72,6 +72,15 @@ TEST(ramps_default_to_one_second)
     scene_def_clear(&def);
 }
 
+/* An hour has 200 states, where the case names no time between them; it had 7200. */
+TEST(long_runs_have_few_states)
+{
+    SceneDef def;
+    expect_good(data_text("smallest"), "run.duration", "1 h", &def);
+    check_share(def.output.state_interval, 18, 1e-15);
+    scene_def_clear(&def);
+}
+
 TEST(cable_shorthand)
 {
     SceneDef def;
