@@ -3,6 +3,7 @@
 #include "contact/facets.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +22,7 @@ typedef struct Sides {
     int *queue;         /* [n_triangles] */
     char *turned;       /* [n_triangles] corners are to change their order; -1: not known yet */
     int *slot;          /* [slots] a hash table of sides + 1 */
+    signed char *way;   /* [slots] sides there that run to the higher corner less those that run to the lower one */
     unsigned int slots; /* a power of two */
 } Sides;
 
@@ -59,8 +61,10 @@ static unsigned int side_slot(const Sides *s, int side)
 static void mates_find(Sides *s)
 {
     memset(s->slot, 0, s->slots * sizeof *s->slot);
+    memset(s->way, 0, s->slots);
     for (int side = 0; side < s->n; ++side) {
         const unsigned int at = side_slot(s, side);
+        s->way[at] = (signed char)(s->way[at] + (corner_at(s, side) < corner_at(s, side_next(side)) ? 1 : -1));
         s->mate[side] = ALONE;
         if (!s->slot[at]) {
             s->slot[at] = side + 1;
@@ -83,25 +87,24 @@ static int sides_agree(const Sides *s, int side)
     return corner_at(s, side) == corner_at(s, side_next(s->mate[side]));
 }
 
-/* Turns the triangles of a connected piece over until neighbours agree. A piece without a border whose triangles agreed
- * from the start is the skin of a solid, which is touched from outside only; all others are sheets. */
+/* Turns the triangles of a connected piece over until neighbours agree. A piece along whose every side as many
+ * triangles run one way as the other, as given, is the skin of a solid, which is touched from outside only; all others
+ * are sheets. */
 static void piece_orient(Sides *s, int from)
 {
-    int n = 0, closed = 1, agreed = 1;
+    int n = 0, solid = 1;
     s->queue[n++] = from;
     s->turned[from] = 0;
     for (int i = 0; i < n; ++i) {
         for (int k = 0; k < 3; ++k) {
             const int side = 3 * s->queue[i] + k, mate = s->mate[side];
-            closed &= mate >= 0;
-            if (mate < 0) continue;
-            agreed &= sides_agree(s, side);
-            if (s->turned[mate / 3] >= 0) continue;
+            solid &= s->way[side_slot(s, side)] == 0;
+            if (mate < 0 || s->turned[mate / 3] >= 0) continue;
             s->turned[mate / 3] = (char)(s->turned[side / 3] ^ !sides_agree(s, side));
             s->queue[n++] = mate / 3;
         }
     }
-    for (int i = 0; i < n && closed && agreed; ++i) s->facets->of[s->queue[i]] |= FACET_ONE_SIDED;
+    for (int i = 0; i < n && solid; ++i) s->facets->of[s->queue[i]] |= FACET_ONE_SIDED;
 }
 
 static void triangles_orient(Sides *s)
@@ -187,19 +190,69 @@ static void normals_mean(Facets *f)
     for (int i = 0; i < f->n_normals; ++i) v3_put(f->normal[i], v3_unit(v3_get(f->normal[i])));
 }
 
-/* Copies the triangles that can be touched. */
+static const double APART = 1e-5; /* m: corners and faces that are nearer to each other meet */
+
+/* A hash table of vertices by cells of twice that size. */
+typedef struct Weld {
+    const Mesh *mesh;
+    int *slot;          /* [slots] vertices + 1 */
+    unsigned int slots; /* a power of two */
+} Weld;
+
+static unsigned int cell_slot(const Weld *w, const double at[3])
+{
+    uint64_t mixed = 0;
+    for (int c = 0; c < 3; ++c) mixed = (mixed ^ (uint64_t)(int64_t)at[c]) * 0x9E3779B97F4A7C15u;
+    return (unsigned int)(mixed >> 32) & (w->slots - 1);
+}
+
+/* The first vertex within APART of this one, which is in one of the eight cells around it; itself if there is none. */
+static int vertex_weld(Weld *w, int vertex)
+{
+    const double *const p = w->mesh->vertex[vertex];
+    double cell[3], own[3];
+    for (int c = 0; c < 3; ++c) {
+        own[c] = floor(p[c] / (2 * APART));
+        cell[c] = floor(p[c] / (2 * APART) - 0.5);
+    }
+    for (int k = 0; k < 8; ++k) {
+        const double at[3] = {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)};
+        for (unsigned int i = cell_slot(w, at); w->slot[i]; i = (i + 1) & (w->slots - 1)) {
+            const int other = w->slot[i] - 1;
+            if (v3_norm(v3_sub(v3_get(w->mesh->vertex[other]), v3_get(p))) <= APART) return other;
+        }
+    }
+    unsigned int i = cell_slot(w, own);
+    while (w->slot[i]) i = (i + 1) & (w->slots - 1);
+    w->slot[i] = vertex + 1;
+    return vertex;
+}
+
+/* Copies the triangles that can be touched, with corners that meet made one. */
 static int touched_copy(const Mesh *mesh, Facets *f)
 {
     Mesh *const m = &f->mesh;
+    Weld weld = {mesh, NULL, 16};
+    while (weld.slots < 2 * (unsigned int)mesh->n_vertices) weld.slots *= 2;
+    weld.slot = calloc(weld.slots, sizeof *weld.slot);
+    int *const now = calloc((size_t)mesh->n_vertices + 1, sizeof *now); /* + 1; 0: not needed yet */
     m->triangle = malloc(((size_t)mesh->n_triangles + 1) * sizeof *m->triangle);
     m->layer = malloc(((size_t)mesh->n_triangles + 1) * sizeof *m->layer);
-    for (int t = 0; t < mesh->n_triangles && m->triangle && m->layer; ++t) {
-        const int *const c = mesh->triangle[t];
-        if (f->law[mesh->layer[t]] < 0 || (c[0] == c[1] && c[1] == c[2])) continue;
-        memcpy(m->triangle[m->n_triangles], c, sizeof *m->triangle);
+    const int ok = weld.slot && now && m->triangle && m->layer;
+    for (int t = 0; t < mesh->n_triangles && ok; ++t) {
+        int *const to = m->triangle[m->n_triangles];
+        if (f->law[mesh->layer[t]] < 0) continue;
+        for (int k = 0; k < 3; ++k) {
+            const int vertex = mesh->triangle[t][k];
+            if (!now[vertex]) now[vertex] = 1 + vertex_weld(&weld, vertex);
+            to[k] = now[vertex] - 1;
+        }
+        if (to[0] == to[1] || to[1] == to[2] || to[2] == to[0]) continue; /* a sliver, or a point of a cloud */
         m->layer[m->n_triangles++] = mesh->layer[t];
     }
-    return m->triangle && m->layer;
+    free(weld.slot);
+    free(now);
+    return ok;
 }
 
 /* Everything but the tree and the bulge. */
@@ -215,7 +268,8 @@ static int facets_prepare(Facets *f)
     s.queue = malloc((n + 1) * sizeof *s.queue);
     s.turned = malloc(n + 1);
     s.slot = malloc(s.slots * sizeof *s.slot);
-    int ok = f->of && f->corner && s.mate && s.root && s.queue && s.turned && s.slot;
+    s.way = malloc(s.slots);
+    int ok = f->of && f->corner && s.mate && s.root && s.queue && s.turned && s.slot && s.way;
     if (ok) {
         mates_find(&s);
         triangles_orient(&s);
@@ -227,6 +281,7 @@ static int facets_prepare(Facets *f)
     free(s.queue);
     free(s.turned);
     free(s.slot);
+    free(s.way);
     if (ok) normals_mean(f);
     return ok;
 }
@@ -414,8 +469,7 @@ Facets *facets_free(Facets *f)
 
 /* ---------------------------------------------------------------------------------------------------------- feet */
 
-static const double APART = 1e-5; /* m: gaps between faces that meet without a common side */
-static const double SAME = 5e-5;  /* m: feet that are nearer to each other are the same one */
+static const double SAME = 5e-5; /* m: feet that are nearer to each other are the same one */
 
 static double between(Vec3 a, Vec3 b) { return v3_norm(v3_sub(a, b)); }
 

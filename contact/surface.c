@@ -450,6 +450,7 @@ static void tally_element(const SurfaceStrip *strip, const SurfacePush *push, in
     if (!(normal > tally->line_load * length)) return;
     tally->line_load = normal / length;
     tally->at = strip->patch->s0 + moment / normal;
+    tally->element = strip->first + l;
 }
 
 void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,

@@ -195,6 +195,7 @@ typedef struct SurfaceTally {
     double friction;  /* N, sum of the friction forces' sizes */
     double line_load; /* N/m, the largest normal force of an element on a face over the element's length */
     double at;        /* m along the route, its place; NAN: no contact, or the surface is not along the route */
+    int element;      /* that element */
 } SurfaceTally;
 
 /* ------------------------------------------------------------------- friction that sticks, for contact/surface.c */

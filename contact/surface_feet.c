@@ -48,12 +48,16 @@ static double free_way(const SurfaceModel *model, Vec3 at, double radius, double
     return triangle_tree_distance(model->facets->tree, p, p, close + most, NULL, NULL) - close;
 }
 
+/* How far nothing is looked for: in a round tunnel everything around the cable is at the same distance, and a tree has
+ * to visit all of it to tell which is the least. */
+static const double FAR_SKINS = 4;
+
 /* Places of all points, and how far each may move before something is near: one number for all (EN26). */
 static void points_stand(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, SurfacePairs *pairs)
 {
     SurfaceNear *const near = pairs->near;
     line_stand(kin, chain->n, near->stand.p, near->stand.a);
-    near->usable = model->reach;
+    near->usable = fmin(model->reach, FAR_SKINS * model->skin);
     for (int e = pairs->from; e < pairs->to; ++e) {
         for (int q = 0; q < SURFACE_POINTS; ++q) {
             const Vec3 at = surface_point(model, chain, kin, e, q);

@@ -393,6 +393,7 @@ static int friction_fades(const SceneDef *def)
     fades |= def->cable_on_cable && friction_kind(&def->cable_friction) != FRICTION_NONE;
     for (int r = 0; r < def->n_rollers; ++r) fades |= friction_kind(&def->rollers[r].friction) != FRICTION_NONE;
     for (int k = 0; k < def->n_surfaces; ++k) fades |= friction_kind(&def->surfaces[k].friction) != FRICTION_NONE;
+    for (int k = 0; k < def->environment.mesh.n_layers; ++k) fades |= def->environment.friction[k] > 0;
     return fades;
 }
 

@@ -4,7 +4,7 @@
 #        sh scripts/fuzz.sh --keep
 #   --engine afl: AFL++ (preset `afl`, no sanitizers, no mutator of the project's own); what it finds: build/afl/found/TARGET
 #   MINUTES  for each target (default 1)
-#   TARGET   units, yaml, case, set, run, api, route, results, folder, states, hostile, checkpoint, study, arguments, library, fmu (default: all); one reader of routes: route-csv, route-landxml,
+#   TARGET   units, yaml, case, set, run, api, route, model, results, folder, states, hostile, checkpoint, study, arguments, library, fmu (default: all); one reader of routes: route-csv, route-landxml,
 #            route-ifc, route-dxf, route-gpx, route-geojson; route-all: each of these with minutes of its own
 #   --keep   takes what was found along the way into the tree: of each target the inputs that reach all that its corpus reaches,
 #            packed as tests/fuzz/kept/TARGET.tar.xz, the sums of the ledgers in tests/fuzz/ledger.csv
@@ -33,7 +33,7 @@ case "${1-}" in
     ;;
 esac
 readers="route-csv route-landxml route-ifc route-dxf route-gpx route-geojson"
-[ $# -gt 0 ] || set -- units yaml case set run api route results folder states hostile checkpoint study arguments library fmu
+[ $# -gt 0 ] || set -- units yaml case set run api route model results folder states hostile checkpoint study arguments library fmu
 # shellcheck disable=SC2086 # one word a reader
 [ $keep = no ] || set -- "$@" $readers
 # shellcheck disable=SC2086 # one word a reader

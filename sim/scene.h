@@ -37,10 +37,12 @@ typedef struct Drag {
 typedef struct Surfaces {
     SurfaceModel model;
     SurfacePatch *patch;
-    FrictionLaw *friction; /* [2 surfaces] on straights, then in bends */
+    FrictionLaw *friction; /* [2 surfaces + laws] on straights, then in bends, then of the environment */
     int told;              /* 1: commands have changed the friction */
-    Profile *factor;       /* [surfaces] friction relative to the case's (K6) */
+    Profile *factor;       /* [surfaces + laws] friction relative to the case's (K6) */
     SurfacePoints points;
+    Facets *facets; /* of the environment; NULL: none can be touched */
+    int *law;       /* [layers of the environment] friction of each, -1: not touched */
 } Surfaces;
 
 /* Interaction of several chains: written by sim/solve/chains.c, read by the equipment kind of their figures.
@@ -107,6 +109,11 @@ struct Scene {
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
 
+/* Number of laws in surfaces.friction. */
+static inline int scene_surface_laws(const Scene *scene)
+{
+    return 2 * scene->surfaces.model.n_surfaces + scene->surfaces.model.n_laws;
+}
 /* Point of that line at s, m. */
 Vec3 scene_line_at(const Scene *scene, double s);
 

@@ -166,25 +166,32 @@ static int solids_take(const ModelPatterns *equipment, Mesh *m, Survey *found)
     return fine;
 }
 
+/* The size that a binary file with this head has. */
+static long stl_size(const unsigned char head[STL_HEAD], uint32_t *n)
+{
+    *n = head[80] | (uint32_t)head[81] << 8 | (uint32_t)head[82] << 16 | (uint32_t)head[83] << 24;
+    return STL_HEAD + (long)*n * STL_FACET;
+}
+
 /* A file of text may begin like a binary one, and the other way round; the size decides. */
 static hawser_status stl_read(SurveyInput *in, const ModelOptions *o, MeshBuild *build, const char *base, long size)
 {
     unsigned char head[STL_HEAD] = {0};
+    uint32_t n;
     const size_t got = fread(head, 1, sizeof head, in->file);
-    const uint32_t n = head[80] | (uint32_t)head[81] << 8 | (uint32_t)head[82] << 16 | (uint32_t)head[83] << 24;
+    const long whole = stl_size(head, &n);
     const int text = !strncmp((const char *)head, "solid", 5);
     if (isnan(o->unit))
         return input_error(in, "an STL file does not say its unit of length: give 'unit', such as 1 mm");
     if (!o->up) return input_error(in, "an STL file does not say which axis points upward: give 'up', y or z");
     hawser_status status = HAWSER_OK;
     input_seek(in, 0);
-    if (got == sizeof head && size == STL_HEAD + (long)n * STL_FACET)
+    if (got == sizeof head && size == whole)
         status = stl_binary_read(in, o, build, base, n);
     else if (text)
         status = stl_text_read(in, o, build, base);
     else
-        status = input_error(in, "an STL file of %u triangles has %ld bytes, this one has %ld", n,
-                             STL_HEAD + (long)n * STL_FACET, size);
+        status = input_error(in, "an STL file of %u triangles has %ld bytes, this one has %ld", n, whole, size);
     if (!status && !solids_take(&o->equipment, &build->mesh, in->out)) status = error_memory(in->err);
     return status;
 }
@@ -225,7 +232,7 @@ static int is_convertible(const char *path)
 /* Reads the file by its beginning. */
 static hawser_status kind_read(SurveyInput *in, const ModelOptions *o, MeshBuild *build)
 {
-    char head[32] = "", base[SURVEY_NAME_MAX];
+    char head[STL_HEAD + 1] = "", base[SURVEY_NAME_MAX];
     const char *const slash = strrchr(in->path, '/'), *const name = slash ? slash + 1 : in->path;
     const char *const dot = strrchr(name, '.'), *const end = dot ? dot : name + strlen(name);
     snprintf(base, sizeof base, "%.*s", (int)(end - name), name);
@@ -234,6 +241,7 @@ static hawser_status kind_read(SurveyInput *in, const ModelOptions *o, MeshBuild
     input_seek(in, 0);
     const size_t n = fread(head, 1, sizeof head - 1, in->file);
     const char *const from = head + strspn(head, " \t\r\n");
+    uint32_t facets;
     input_seek(in, 0);
     if (n == 0) return input_error(in, "the file is empty");
     if (size > MODEL_SIZE_MOST) return input_error(in, "%ld MB: allowed are %d", size >> 20, MODEL_SIZE_MOST >> 20);
@@ -249,6 +257,8 @@ static hawser_status kind_read(SurveyInput *in, const ModelOptions *o, MeshBuild
                            "only GLB, STL and DXF files are read: convert it with `hawser convert %.60s -o "
                            "%.60s.glb`",
                            name, base);
+    if (n == STL_HEAD && stl_size((const unsigned char *)head, &facets) == size)
+        return stl_read(in, o, build, base, size);
     if ((dot && !strcasecmp(dot, ".stl")) || !strncmp(head, "solid", 5)) return stl_read(in, o, build, base, size);
     return input_error(in, "neither a GLB, an STL nor a DXF file");
 }

@@ -8,11 +8,11 @@
 #include "core/error.h"
 #include "theory/setup.h"
 
-hawser_status clearances_new(const EnvironmentDef *def, Clearances *out, hawser_error *err)
+hawser_status clearances_new(const EnvironmentDef *def, bool least, Clearances *out, hawser_error *err)
 {
     const Mesh *const all = &def->mesh;
     int n = 0;
-    *out = (Clearances){.mesh = *all};
+    *out = (Clearances){.mesh = *all, .bound = ENVIRONMENT_REACH, .least = least};
     out->mesh.triangle = NULL;
     out->mesh.layer = NULL;
     out->mesh.n_triangles = 0;
@@ -48,10 +48,11 @@ void clearances_add(Clearances *c, Vec3 a, Vec3 b, double radius, double s0, dou
     const double from[3] = {a.x, a.y, a.z}, to[3] = {b.x, b.y, b.z};
     double foot[3];
     int triangle = -1;
-    const double d = triangle_tree_distance(c->tree, from, to, ENVIRONMENT_REACH + radius, &triangle, foot) - radius;
+    const double d = triangle_tree_distance(c->tree, from, to, c->bound + radius, &triangle, foot) - radius;
     if (triangle < 0) return;
     LayerNear *const near = &c->near[c->mesh.layer[triangle]];
     if (!(d < near->distance)) return;
+    if (c->least) c->bound = d;
     const Vec3 along = v3_sub(b, a), arm = v3_sub(v3(foot[0], foot[1], foot[2]), a);
     const double length2 = v3_dot(along, along), share = length2 > 0 ? v3_dot(arm, along) / length2 : 0;
     *near = (LayerNear){d, s0 + fmin(fmax(share, 0), 1) * (s1 - s0), t};
@@ -68,7 +69,7 @@ static double chord_of(double curvature)
 hawser_status clearances_of_route(SceneDef *def, const Route *route, double radius, hawser_error *err)
 {
     Clearances c;
-    hawser_status status = clearances_new(&def->environment, &c, err);
+    hawser_status status = clearances_new(&def->environment, false, &c, err);
     for (int p = 0; c.tree && p < route->n; ++p) {
         const RoutePiece *const piece = &route->piece[p];
         const double bent = piece->kind == ROUTE_STRAIGHT ? 0 : 1 / piece->radius;

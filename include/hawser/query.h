@@ -14,7 +14,12 @@ extern "C" {
 
 struct hawser_sim;
 
-typedef enum hawser_partner { HAWSER_ON_ROLLER = 1, HAWSER_ON_SURFACE = 2, HAWSER_ON_CABLE = 3 } hawser_partner;
+typedef enum hawser_partner {
+    HAWSER_ON_ROLLER = 1,
+    HAWSER_ON_SURFACE = 2,
+    HAWSER_ON_CABLE = 3,
+    HAWSER_ON_ENVIRONMENT = 4 /* a model of the case: its index is -1 */
+} hawser_partner;
 
 /* A place where the cable is pressed. */
 typedef struct hawser_contact {

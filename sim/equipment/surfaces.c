@@ -1,4 +1,4 @@
-/* The ducts, trays, floors and walls of a scene. docs/theory.md, "Surfaces". */
+/* The ducts, trays, floors and walls of a scene, and its environment: docs/theory.md, "Surfaces", "Environment". */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,33 +31,77 @@ static void frictions_set(const SceneDef *def, int patches, Surfaces *s)
     }
 }
 
+static int environment_touched(const SceneDef *def)
+{
+    return def->environment.touched && def->environment.mesh.n_triangles > 0;
+}
+
+/* Gives layers of equal friction one law, behind those of the surfaces; returns their number. */
+static int layers_law(const SceneDef *def, FrictionLaw *friction, int *law)
+{
+    const EnvironmentDef *const e = &def->environment;
+    int laws = 0;
+    for (int k = 0; k < e->mesh.n_layers; ++k) {
+        law[k] = -1;
+        for (int j = 0; j < k && law[k] < 0; ++j) {
+            if (e->friction[j] >= e->friction[k] && e->friction[j] <= e->friction[k]) law[k] = law[j];
+        }
+        if (law[k] >= 0 || isnan(e->friction[k])) continue;
+        law[k] = 2 * def->n_surfaces + laws;
+        friction[laws] = def->friction; /* its speeds */
+        friction[laws].mu_s = friction[laws].mu_d = e->friction[k];
+        friction[laws++].d_s = 0;
+    }
+    return laws;
+}
+
+static const double SKIN_MIN = 0.01; /* m (EN26) */
+
+static double cable_thickest(const Scene *scene)
+{
+    double radius = 0;
+    for (int i = 0; i < scene->chain.n; ++i) radius = fmax(radius, scene->chain.radius[i]);
+    return radius;
+}
+
 static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
     const Route *const route = &scene->route;
     Surfaces *const s = &scene->surfaces;
-    room->present = def->n_surfaces > 0;
+    const int touched = environment_touched(def), layers = touched ? def->environment.mesh.n_layers : 0;
+    room->present = def->n_surfaces > 0 || touched;
     if (!room->present) return HAWSER_OK;
-    int patches = 0;
+    int patches = SURFACE_FACES_MAX * layers;
     for (int i = 0; i < def->n_surfaces; ++i) patches += surface_patch_count(&def->surfaces[i].shape, route);
     SurfacePatch *next = s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
-    s->friction = calloc(2 * (size_t)def->n_surfaces, sizeof *s->friction);
+    s->friction = calloc(2 * (size_t)def->n_surfaces + (size_t)layers, sizeof *s->friction);
+    s->law = calloc((size_t)layers + 1, sizeof *s->law);
     s->points.tip = tip_length(&def->impact, &def->line_impact);
     room->self = s; /* a member of the scene, set here so that it is freed */
-    s->factor = calloc((size_t)def->n_surfaces, sizeof *s->factor);
-    for (int i = 0; s->factor && i < def->n_surfaces; ++i) s->factor[i] = profile_level(1);
-    if (!s->patch || !s->friction || !s->factor || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
+    s->factor = calloc((size_t)(def->n_surfaces + layers), sizeof *s->factor);
+    for (int i = 0; s->factor && i < def->n_surfaces + layers; ++i) s->factor[i] = profile_level(1);
+    if (!s->patch || !s->friction || !s->law || !s->factor ||
+        !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
         return error_memory(err);
     }
     for (int i = 0; i < def->n_surfaces; ++i) {
         surface_patches(&def->surfaces[i].shape, route, i, next);
         next += surface_patch_count(&def->surfaces[i].shape, route);
     }
-    frictions_set(def, patches, s);
+    frictions_set(def, (int)(next - s->patch), s);
+    const int laws = touched ? layers_law(def, s->friction + 2 * def->n_surfaces, s->law) : 0;
+    for (int i = 0; i < laws; ++i, next += SURFACE_FACES_MAX)
+        surface_mesh_patches(def->n_surfaces + i, 2 * def->n_surfaces + i, next);
+    if (laws > 0) s->facets = facets_new(&def->environment.mesh, s->law);
+    if (laws > 0 && !s->facets) return error_memory(err);
     s->model = (SurfaceModel){.impact = def->line_impact,
                               .reach = def->contact_reach,
                               .n_surfaces = def->n_surfaces,
-                              .n_patches = patches,
+                              .n_patches = (int)(next - s->patch),
+                              .facets = s->facets,
+                              .n_laws = laws,
+                              .skin = fmax(SKIN_MIN, cable_thickest(scene)),
                               .friction = s->friction,
                               .patch = s->patch,
                               .points = &s->points};
@@ -71,22 +115,27 @@ static void surfaces_clear(Room *room)
     free(s->patch);
     free(s->friction);
     free(s->factor);
+    free(s->law);
+    facets_free(s->facets);
     surface_points_free(&s->points);
     room->self = NULL;
 }
+
+/* Surfaces and laws of the environment: each has a tally and a factor. */
+static int all_surfaces(const SurfaceModel *model) { return model->n_surfaces + model->n_laws; }
 
 /* Each part has half of the elements; the element before segment `middle` belongs to the second half. */
 static int surfaces_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
-    const size_t laws = 2 * (size_t)scene->surfaces.model.n_surfaces;
+    const size_t laws = (size_t)(scene->surfaces.model.n_surfaces + all_surfaces(&scene->surfaces.model));
     FrictionLaw *const own = ws->room[room->number] = calloc(laws + 1, sizeof *own);
     ws->surfaces = scene->surfaces.model;
     if (own && laws > 0) memcpy(own, scene->surfaces.friction, laws * sizeof *own);
     ws->surfaces.friction = own;
     surface_pairs_init(&ws->contact[0].surface, 0, middle);
     surface_pairs_init(&ws->contact[1].surface, middle, elements);
-    ws->on_surface = calloc((size_t)scene->surfaces.model.n_surfaces + 1, sizeof *ws->on_surface);
+    ws->on_surface = calloc((size_t)all_surfaces(&scene->surfaces.model) + 1, sizeof *ws->on_surface);
     int ok = ws->on_surface && own;
     for (int p = 0; ok && surface_sticks(&ws->surfaces) && p < PARTS; ++p) {
         ok &= surface_pairs_sticks(&ws->contact[p].surface, &ws->surfaces, scene->chain.n);
@@ -118,8 +167,8 @@ static void surfaces_pose(const Room *room, const Moment *m, const double *own)
     const Surfaces *const s = room->self;
     FrictionLaw *const law = m->ws->room[room->number];
     const int n = s->model.n_surfaces;
-    for (int i = 0; s->told && i < 2 * n; ++i)
-        law[i] = friction_scaled(s->friction[i], profile_value(&s->factor[i % n], m->t));
+    for (int i = 0; s->told && i < n + all_surfaces(&s->model); ++i)
+        law[i] = friction_scaled(s->friction[i], profile_value(&s->factor[i < n ? i : i - n], m->t));
 }
 
 /* The lean of friction that sticks grows by the slip since the last accepted step (GR11). */
@@ -176,6 +225,15 @@ static hawser_status surfaces_refresh(const Room *room, const Moment *m, hawser_
     return status;
 }
 
+static int surfaces_stale(const Room *room, const Moment *m)
+{
+    (void)room;
+    int stale = 0;
+    for (int p = 0; p < PARTS; ++p)
+        stale |= surface_near_stale(&m->scene->chain, &m->ws->kin, &m->ws->contact[p].surface);
+    return stale;
+}
+
 static int surfaces_candidates(const Room *room, const Workspace *ws)
 {
     (void)room;
@@ -209,7 +267,7 @@ static double surfaces_next_stop(const Room *room, const Scene *scene, double t)
     (void)scene;
     const Surfaces *const s = room->self;
     double next = INFINITY;
-    for (int i = 0; s->told && i < s->model.n_surfaces; ++i) next = profile_corner_before(&s->factor[i], t, next);
+    for (int i = 0; s->told && i < all_surfaces(&s->model); ++i) next = profile_corner_before(&s->factor[i], t, next);
     return next;
 }
 
@@ -220,8 +278,9 @@ static int surfaces_command(Room *room, const Scene *scene, const Command *c, do
     Surfaces *const s = room->self;
     int taken = 0;
     if (c->kind != HAWSER_FRICTION) return 0;
-    for (int i = 0; i < s->model.n_surfaces; ++i) {
-        if (*c->what && strcmp(scene->def.surfaces[i].name, c->what) != 0) continue;
+    for (int i = 0; i < all_surfaces(&s->model); ++i) {
+        const char *const name = i < s->model.n_surfaces ? scene->def.surfaces[i].name : "environment";
+        if (*c->what && strcmp(name, c->what) != 0) continue;
         s->factor[i] = command_ramp(&s->factor[i], t, c->value, c->ramp);
         taken = 1;
     }
@@ -233,7 +292,7 @@ static void surfaces_controls(Room *room, ControlsVisit *visit)
 {
     Surfaces *const s = room->self;
     controls_bytes(visit, &s->told, sizeof s->told);
-    controls_bytes(visit, s->factor, (size_t)s->model.n_surfaces * sizeof *s->factor);
+    controls_bytes(visit, s->factor, (size_t)all_surfaces(&s->model) * sizeof *s->factor);
 }
 
 static void surfaces_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -258,7 +317,7 @@ static int surfaces_look(const Room *room, const Moment *m)
     (void)room;
     Workspace *const ws = m->ws;
     int active = 0;
-    for (int i = 0; i < ws->surfaces.n_surfaces; ++i) ws->on_surface[i] = surface_tally_new();
+    for (int i = 0; i < all_surfaces(&ws->surfaces); ++i) ws->on_surface[i] = surface_tally_new();
     for (int p = 0; p < PARTS && ws->surfaces.n_patches > 0; ++p) {
         SurfacePairs *const pairs = &ws->contact[p].surface;
         surface_forces(&ws->surfaces, &m->scene->chain, &ws->kin, 1.0, pairs, &ws->loads[p], ws->on_surface);
@@ -279,6 +338,7 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .blocks = surfaces_blocks,
                                 .touches = 1,
                                 .heavy = 1,
+                                .stale = surfaces_stale,
                                 .refresh = surfaces_refresh,
                                 .candidates = surfaces_candidates,
                                 .remembers = surfaces_remember,
@@ -290,4 +350,4 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .work = surfaces_work,
                                 .stock = surfaces_stock,
                                 .look = surfaces_look,
-                                .in_space = "the cable lies in ducts or trays or on planes"};
+                                .in_space = "the cable lies in ducts or trays, on planes or in an environment"};

@@ -217,8 +217,9 @@ static int surface_contact(Closeup *c, const Scene *scene, const Workspace *ws, 
         points->radius[q][e]};
     hawser_contact *const out = contact_add(c);
     if (!out) return 0;
-    *out = (hawser_contact){.partner = HAWSER_ON_SURFACE,
-                            .index = d->surface,
+    const int surfaces = ws->surfaces.n_surfaces;
+    *out = (hawser_contact){.partner = d->surface < surfaces ? HAWSER_ON_SURFACE : HAWSER_ON_ENVIRONMENT,
+                            .index = d->surface < surfaces ? d->surface : -1,
                             .segment = carrier(scene, &at),
                             .normal_N = d->normal,
                             .gap_m = d->gap};

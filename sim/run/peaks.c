@@ -210,7 +210,7 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     peaks->when = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->when);
     if (!peaks->roller || !peaks->when) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
-    const hawser_status status = clearances_new(&scene->def.environment, &peaks->clear, err);
+    const hawser_status status = clearances_new(&scene->def.environment, true, &peaks->clear, err);
     return status ? status : compression_new(&peaks->pushed, scene, err);
 }
 
@@ -348,9 +348,21 @@ static void clearances_record(Peaks *peaks, const Scene *scene, const Kinematics
     }
 }
 
-void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+/* By the look of the same moment; an element lies about the joint of its number. */
+static void environment_record(Peaks *peaks, const Scene *scene, const Workspace *ws, const hawser_sample *sample)
+{
+    const SurfaceModel *const model = &ws->surfaces;
+    for (int i = model->n_surfaces; i < model->n_surfaces + model->n_laws; ++i) {
+        const SurfaceTally *const tally = &ws->on_surface[i];
+        if (tally->line_load > 0)
+            take(&peaks->environment, tally->line_load, sample_joint_place(scene, sample, tally->element));
+    }
+}
+
+void peaks_record(Peaks *peaks, const Scene *scene, const Workspace *ws, const hawser_sample *sample)
 {
     if (!peaks->present) return;
+    const Kinematics *const kin = &ws->kin;
     const int eye = cable_end(scene);
     peaks->recorded = 1;
     peaks->speed = fmax(peaks->speed, fabs(drawn_with(scene, sample)));
@@ -361,6 +373,7 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     pushes_record(peaks, sample);
     compression_record(&peaks->pushed, scene, sample);
     clearances_record(peaks, scene, kin, sample);
+    environment_record(peaks, scene, ws, sample);
 }
 
 /* Theory over the whole travel of a run, for the limits. */
@@ -529,10 +542,11 @@ static Finding sidewall_finding(const Peaks *peaks, const Scene *scene)
     return f;
 }
 
-/* Force per length on surfaces, with its own error bound; absent if there are no surfaces. */
-static Finding contact_finding(const Stats *stats, const Scene *scene)
+/* Force per length on surfaces, with its own error bound, and on the environment, with that of the tension that causes
+ * it; absent if there is neither. */
+static Finding contact_finding(const Peaks *peaks, const Stats *stats, const Scene *scene, double tension_share)
 {
-    Finding f = {.absent = stats->n_surfaces == 0};
+    Finding f = {.absent = stats->n_surfaces == 0 && !scene->surfaces.facets};
     for (int i = 0; i < stats->n_surfaces; ++i) {
         const hawser_surface *const s = &stats->surface_out[i];
         const double share = bundle_share(&scene->def, &scene->def.surfaces[i]), worst = share * s->line_load_N_per_m;
@@ -540,6 +554,11 @@ static Finding contact_finding(const Stats *stats, const Scene *scene)
         f.value = worst;
         f.error = share * s->line_load_error;
         snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
+    }
+    if (peaks->environment.value > f.value) {
+        f.value = peaks->environment.value;
+        f.error = tension_share * f.value;
+        snprintf(f.where, sizeof f.where, "%.1f m on the environment", peaks->environment.at);
     }
     return f;
 }
@@ -622,12 +641,11 @@ static double start_adds(const Scene *scene)
  * bends (LI16). */
 static double start_share(const Scene *scene, double pull)
 {
-    const SceneDef *const def = &scene->def;
     double turned = 0, mu = 0, rest = 1;
     for (int p = 0; p < scene->route.n; ++p)
         if (scene->route.piece[p].kind != ROUTE_STRAIGHT) turned += scene->route.piece[p].angle;
     const int rollers = scene->contact.n_rollers;
-    for (int i = 0; i < rollers + 2 * def->n_surfaces; ++i) {
+    for (int i = 0; i < rollers + scene_surface_laws(scene); ++i) {
         const FrictionLaw *const law =
             i < rollers ? &scene->contact.roller[i].friction : &scene->surfaces.friction[i - rollers];
         if (!(law->mu_d > 0)) continue;
@@ -747,7 +765,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
     if (peaks->recorded > 0) {
         f[HAWSER_LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
         f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(peaks, scene);
-        f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(stats, scene);
+        f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(peaks, stats, scene, share);
         f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(peaks, scene);
         f[HAWSER_LIMIT_ROLLER_STEADY] = roller_finding(peaks, stats, 1);
         f[HAWSER_LIMIT_ROLLER_PEAK] = roller_finding(peaks, stats, 0);
@@ -764,7 +782,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
-    if (stats->n_surfaces == 0) f[HAWSER_LIMIT_CONTACT_PRESSURE].absent = 1;
+    if (stats->n_surfaces == 0 && !scene->surfaces.facets) f[HAWSER_LIMIT_CONTACT_PRESSURE].absent = 1;
     const int clear = peaks->recorded > 0 && peaks->clear.tree;
     const Finding unknown = f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT];
     findings_of_scene(&scene->setup, f);

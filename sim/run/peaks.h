@@ -5,6 +5,7 @@
 
 #include "core/checkpoint.h"
 #include "core/vec3.h"
+#include "sim/dynamics.h"
 #include "sim/run/stats.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
@@ -76,6 +77,7 @@ typedef struct Peaks {
     Peak tension;      /* N, of the cable, eye included */
     Peak sidewall;     /* N/m, T/R of the route's bends, on the worst cable */
     Peak curvature;    /* 1/m, of the cable between neighbouring segments */
+    Peak environment;  /* N/m, force per length on models of the environment */
     double stands_out; /* 1/m, excess of that over its neighbours: the part that shorter segments may increase (LI15) */
     Peak rope;         /* N, of the rope, or on its end */
     Peak front;        /* N, at the cable's eye or net */
@@ -103,7 +105,7 @@ typedef struct Overload {
 hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err);
 void peaks_free(Peaks *peaks);
 /* Takes a sample in; as stats_record. */
-void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+void peaks_record(Peaks *peaks, const Scene *scene, const Workspace *ws, const hawser_sample *sample);
 /* Judges the run so far by the case's limits (LI5), as hawser_sim_limits. share: relative error bound of the largest
  * pull. */
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,

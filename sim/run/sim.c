@@ -440,7 +440,7 @@ static void peak_watch(Sim *s)
     hawser_sample held = *look;
     held.winch_force = stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
     steadiness_held(&s->steadiness, held.winch_force, held.t);
-    peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
+    peaks_record(&s->peaks, &st->scene, &st->ws, &held);
 }
 
 /* The chain with the fastest point. */
@@ -647,7 +647,7 @@ static void record_one(Sim *s, SampleParts parts)
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
     if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);
     by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
-    peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
+    peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws, look);
     if (s->envelope.present) envelope_record(&s->envelope, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
 }
@@ -709,6 +709,7 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
     checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
     const size_t layers = p->clear.near ? (size_t)p->clear.mesh.n_layers : 0;
+    CHECKPOINT(c, p->clear.bound);
     checkpoint_put(c, "p->clear.near", p->clear.near, layers * sizeof *p->clear.near);
     Compression *const pushed = &p->pushed;
     CHECKPOINT_UP_TO(c, pushed, Compression, joints);

@@ -56,8 +56,8 @@ static double friction_share(const Scene *scene)
     double worst = 0;
     for (int r = 0; r < scene->contact.n_rollers; ++r)
         worst = fmax(worst, friction_missing(&scene->contact.roller[r].friction, scene->largest_speed));
-    for (int k = 0; k < scene->def.n_surfaces; ++k)
-        worst = fmax(worst, friction_missing(&scene->def.surfaces[k].friction, scene->largest_speed));
+    for (int k = 0; k < scene_surface_laws(scene); ++k)
+        worst = fmax(worst, friction_missing(&scene->surfaces.friction[k], scene->largest_speed));
     return scene->bowed ? worst + BOWED : worst;
 }
 
@@ -111,7 +111,7 @@ static double friction_most(const Scene *scene)
 {
     double most = 0;
     for (int r = 0; r < scene->contact.n_rollers; ++r) most = fmax(most, scene->contact.roller[r].friction.mu_d);
-    for (int k = 0; k < 2 * scene->def.n_surfaces; ++k) most = fmax(most, scene->surfaces.friction[k].mu_d);
+    for (int k = 0; k < scene_surface_laws(scene); ++k) most = fmax(most, scene->surfaces.friction[k].mu_d);
     return most;
 }
 
@@ -121,7 +121,7 @@ static double clamp_carries(const Scene *scene)
     const SceneDef *const def = &scene->def;
     const ChainPieceDef *const head =
         &def->pieces[def->n_pieces - 1]; /* a winch's drum moves with it but has no weight */
-    if (def->n_surfaces == 0 || !scene->winch->present || def->winch.axial_only) return 0;
+    if (scene->surfaces.model.n_patches == 0 || !scene->winch->present || def->winch.axial_only) return 0;
     return ENDS * def->cables[head->cable].mass * head->length / head->segments * v3_norm(def->gravity);
 }
 
@@ -137,7 +137,7 @@ static double mesh_share(const Scene *scene, const SegmentMesh *mesh, double pul
 static double waver_share(const Scene *scene)
 {
     if (scene->contact.n_rollers == 0) return EVERYWHERE;
-    return scene->def.n_surfaces > 0 ? PARTLY : 1;
+    return scene->surfaces.model.n_patches > 0 ? PARTLY : 1;
 }
 
 ErrorShares error_shares(const Scene *scene, const SegmentMesh *mesh, const BalanceWindow *books, double pull)
@@ -150,7 +150,7 @@ ErrorShares error_shares(const Scene *scene, const SegmentMesh *mesh, const Bala
                        .mesh = mesh_share(scene, mesh, pull),
                        .friction = friction_share(scene)};
     for (int r = 0; r < scene->contact.n_rollers; ++r) friction_falls(&scene->contact.roller[r].friction, &out);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) friction_falls(&scene->def.surfaces[k].friction, &out);
+    for (int k = 0; k < scene_surface_laws(scene); ++k) friction_falls(&scene->surfaces.friction[k], &out);
     return out;
 }
 

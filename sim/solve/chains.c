@@ -779,7 +779,7 @@ static void walls_look(const BunchChain *c, ChainLook *out)
     const Scene *const scene = c->scene;
     double *const *const at = c->ws->kin.p;
     const double *const p[3] = {at[0], at[1], at[2]};
-    const int surfaces = scene->surfaces.model.n_surfaces;
+    const int surfaces = scene->surfaces.model.n_surfaces + scene->surfaces.model.n_laws;
     for (int r = 0; r < scene->contact.n_rollers; ++r) out->walls += v3_norm(c->ws->on_roller[r]);
     for (int s = 0; s < surfaces; ++s) out->walls += c->ws->on_surface[s].normal;
     for (int i = weight_behind(scene, p, 0); i < scene->chain.n; ++i)

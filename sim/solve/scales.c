@@ -125,7 +125,8 @@ double scales_newton_share(const Scene *scene)
 double stride_most(const Scene *scene)
 {
     const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present;
-    const double unseen = (1 - CONTACT_USABLE) * scene->def.contact_reach; /* by which candidates may be late */
+    const double reach = scene->surfaces.facets ? scene->surfaces.model.skin : scene->def.contact_reach;
+    const double unseen = (1 - CONTACT_USABLE) * fmin(reach, scene->def.contact_reach); /* candidates may be late */
     return touches ? fmin(scene_way(scene), unseen) : INFINITY;
 }
 

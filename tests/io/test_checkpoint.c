@@ -50,6 +50,7 @@ static const Scene scenes[] = {
     {"tests/data/rod-column.yaml", 0.6, NULL, NULL},
     {"tests/data/reel-payout.yaml", 2, NULL, NULL},
     {"tests/data/passing-floor.yaml", 0.5, NULL, NULL},
+    {"tests/data/environment-floor.yaml", 1, NULL, NULL},
     {"cases/huangjiahu.yaml", 2, "solver.method", "esdirk"},
     {"cases/reel.yaml", 12, "solver.method", "esdirk"},
     {"cases/rollers-mounted.yaml", 2, "solver.method", "esdirk"},

@@ -127,6 +127,35 @@ TEST(clearance_in_a_bend)
     scene_def_clear(&def);
 }
 
+/* The example: the pipe is a collision at 40 m, its lower line 10 mm above the cable's axis, of which the radius
+ * is 43.65 mm; the plate at the tray's end is at 52 m, 16.35 mm below the cable. The rollers are the model's. */
+TEST(example_tunnel)
+{
+    CaseTree *tree;
+    SceneDef def;
+    hawser_error err;
+    if (case_tree_load(HAWSER_SOURCE_DIR "/cases/environment/tunnel.yaml", &tree, &err) || case_read(tree, &def, &err))
+        fail_msg("%s", err.message);
+    const EnvironmentDef *const e = &def.environment;
+    int rollers = 0, found = 0;
+    for (int i = 0; i < def.n_rollers; ++i) {
+        if (strncmp(def.rollers[i].name, "roller ", 7)) continue;
+        check_close(def.rollers[i].s, 1 + 2 * (strtod(def.rollers[i].name + 7, NULL) - 1), 1e-3);
+        ++rollers;
+    }
+    assert_int_equal(rollers, 30);
+    for (int k = 0; k < e->mesh.n_layers; ++k) {
+        const int pipe = !strcmp(e->mesh.layer_name[k], "pipe");
+        if (!pipe && strcmp(e->mesh.layer_name[k], "tray end")) continue;
+        check_close(e->near[k].distance, pipe ? -0.03365 : 0.01635, 1e-6);
+        check_close(e->near[k].s, pipe ? 40 : 52, 1e-2);
+        ++found;
+    }
+    assert_int_equal(found, 2);
+    case_tree_free(tree);
+    scene_def_clear(&def);
+}
+
 /* The limit with its place, in theory and in a run of a cable that stays on the route. */
 TEST(limit_is_judged)
 {

@@ -2,6 +2,7 @@
 #include "sim/run/sample.h"
 #include "sim/solve/scales.h"
 #include "tests/support/rig.h"
+#include "tests/support/tessellated.h"
 
 static Rig *pull(void)
 {
@@ -51,6 +52,28 @@ TEST(test_way_of_surfaces)
         check_close(stride_most(&r->scene), bounded ? (SURFACE_DEPTH_MAX + radius) / 2 : 0.25, 1e-15);
         rig_free(r);
     }
+}
+
+/* A sheet of a mesh has no other side within which the cable would still be in contact: half a cable's radius, and what
+ * the lists of triangles leave. */
+TEST(test_way_of_an_environment)
+{
+    SceneDef def;
+    MeshBuild m = {0};
+    fixture_free_chain(&def, 12);
+    mesh_box(&m, "box", v3(-1, -1, -4), v3(1, 1, -3));
+    mesh_build_end(&m);
+    def.environment.mesh = m.mesh;
+    def.environment.clear = fixture_array(1, sizeof *def.environment.clear);
+    def.environment.near = fixture_array(1, sizeof *def.environment.near);
+    def.environment.friction = fixture_array(1, sizeof *def.environment.friction);
+    def.environment.touched = true;
+    Rig *const r = rig_make(&def, NULL);
+    const double radius = r->scene.def.cables[0].diameter / 2, skin = fmax(0.01, radius);
+    check_close(scene_way(&r->scene), radius / 2, 1e-15);
+    check_close(r->scene.surfaces.model.skin, skin, 1e-15);
+    check_close(stride_most(&r->scene), fmin(radius / 2, (1 - CONTACT_USABLE) * skin), 1e-15);
+    rig_free(r);
 }
 
 /* (N15): the way at a constant speed, from rest, and both. */
