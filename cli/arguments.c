@@ -55,6 +55,10 @@ enum {
     OPTION_PUSH = '1',
     OPTION_WITH = '2',
     OPTION_LUBRICANT = '3',
+    OPTION_UNIT = '4',
+    OPTION_UP = '5',
+    OPTION_MEMORY = '6',
+    OPTION_TIME = '7',
     KNOWN_MAX = 24
 };
 
@@ -111,6 +115,10 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"push", required_argument, NULL, OPTION_PUSH},
                                             {"with", required_argument, NULL, OPTION_WITH},
                                             {"lubricant", required_argument, NULL, OPTION_LUBRICANT},
+                                            {"unit", required_argument, NULL, OPTION_UNIT},
+                                            {"up", required_argument, NULL, OPTION_UP},
+                                            {"memory", required_argument, NULL, OPTION_MEMORY},
+                                            {"time", required_argument, NULL, OPTION_TIME},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -337,6 +345,19 @@ static int take_compare_option(int letter, hawser_compare_options *compare)
     return i < 0 ? EXIT_USAGE : ARGUMENTS_GO_ON;
 }
 
+/* Takes the options of `convert`; the converter checks unit and axis. */
+static int take_convert_option(int letter, hawser_convert_options *convert)
+{
+    int count = 0, status = ARGUMENTS_GO_ON;
+    if (letter == OPTION_UNIT) convert->unit = optarg;
+    if (letter == OPTION_UP) convert->up = optarg;
+    if (letter == OPTION_MEMORY) status = parse_count("memory", optarg, "a number of MB", 64, 1000000, &count);
+    if (letter == OPTION_MEMORY) convert->memory = 1e6 * count;
+    if (letter == OPTION_TIME) status = parse_count("time", optarg, "a number of seconds", 1, 100000, &count);
+    if (letter == OPTION_TIME) convert->seconds = count;
+    return status;
+}
+
 /* Needs no check of the size: memory was allocated for as many settings as there are words on the command line. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
@@ -381,9 +402,11 @@ static int take_option(const Command *command, int letter, Arguments *args)
         OPTION_NAME,      OPTION_LAYER,  OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,   OPTION_TO, OPTION_PROFILE,
         OPTION_DEVIATION, OPTION_RADIUS, OPTION_JOIN,       OPTION_SHEET,   OPTION_IGNORE, 0};
     static const char of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE, 0};
+    static const char of_convert[] = {OPTION_UNIT, OPTION_UP, OPTION_MEMORY, OPTION_TIME, 0};
     static const char of_study[] = {OPTION_JOBS, OPTION_FRESH, OPTION_MPI, OPTION_SLURM, OPTION_TASKS, OPTION_TASK, 0};
     if (strchr(of_route, letter)) return take_route_option(letter, &args->route);
     if (strchr(of_compare, letter)) return take_compare_option(letter, &args->compare);
+    if (strchr(of_convert, letter)) return take_convert_option(letter, &args->convert);
     if (strchr(of_study, letter)) return take_study_option(letter, args);
     switch (letter) {
     case OPTION_JSON:
@@ -522,7 +545,9 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
             complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
         else
             complain("%s needs a file, as in: hawser %s %s", command->name, command->name,
-                     strchr(command->options, OPTION_XLSX) ? "cases/jobs/ducts.yaml" : "tunnel.dxf");
+                     strchr(command->options, OPTION_XLSX) ? "cases/jobs/ducts.yaml"
+                     : strchr(command->options, OPTION_UP) ? "tunnel.ifc -o tunnel.glb"
+                                                           : "tunnel.dxf");
     } else if (strchr(command->options, OPTION_JOBS) && optind + 1 >= argc) {
         complain("%s needs a study file, as in: hawser %s cases/studies/friction.yaml", command->name, command->name);
     } else if (optind + 1 < argc) {

@@ -60,6 +60,7 @@ typedef struct Arguments {
     const char *workbook;           /* file for the tables of a job; NULL: none */
     const char *picture;            /* page of a route; NULL: none */
     hawser_place_options place;     /* for the command place */
+    hawser_convert_options convert; /* for the command convert */
     hawser_route_options route;     /* for the command route; its texts are parts of the command line */
 } Arguments;
 

@@ -6,7 +6,7 @@
 
 extern const Command command_run, command_check, command_upgrade, command_job, command_place, command_desk,
     command_schema, command_theory, command_validate, command_library, command_route, command_report, command_plot,
-    command_study, command_compare, command_fmu;
+    command_study, command_compare, command_fmu, command_convert;
 
 /* Runs the whole program behind `main`: the words of the command line, argv[0] the program's own name; some of them are
  * cut in two. Returns the exit status; run.c's help lists them. Without any word the usage goes to standard error,

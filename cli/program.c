@@ -10,10 +10,10 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 
-static const Command *const commands[] = {&command_run,     &command_check,   &command_theory, &command_validate,
-                                          &command_library, &command_route,   &command_report, &command_plot,
-                                          &command_study,   &command_compare, &command_fmu,    &command_upgrade,
-                                          &command_schema,  &command_job,     &command_place,  &command_desk};
+static const Command *const commands[] = {
+    &command_run,    &command_check, &command_theory, &command_validate, &command_library, &command_route,
+    &command_report, &command_plot,  &command_study,  &command_compare,  &command_fmu,     &command_upgrade,
+    &command_schema, &command_job,   &command_place,  &command_desk,     &command_convert};
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

@@ -17,7 +17,7 @@ if(HAWSER_SHAPELIB)
     list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)
 endif()
 set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
-                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${HAWSER_SUNDIALS_MPI})
+                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${HAWSER_MESHOPTIMIZER} ${HAWSER_SUNDIALS_MPI})
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
 foreach(name ${HAWSER_SUNDIALS_NAMES})
     list(APPEND HAWSER_PRIVATE_LIBRARIES -l${name})
@@ -41,7 +41,7 @@ target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_
                                           $<$<CONFIG:Release>:-Wl,-z,defs>)
 target_link_libraries(hawser_shared PRIVATE
     SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::EXPAT PkgConfig::JANSSON ${HAWSER_HDF5_LIBRARY} PkgConfig::ZLIB
-    PkgConfig::NLOPT PkgConfig::LIBZIP ${HAWSER_SHAPELIB} hawser_klu ${HAWSER_THREADS_LIBRARY} m)
+    PkgConfig::NLOPT PkgConfig::LIBZIP ${HAWSER_SHAPELIB} ${HAWSER_MESHOPTIMIZER} hawser_klu ${HAWSER_THREADS_LIBRARY} m)
 target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # The static library is one object in which everything but hawser_* has become local: a program that links it may have
@@ -64,9 +64,11 @@ install(FILES packaging/hawser.bash DESTINATION share/bash-completion/completion
 install(FILES packaging/_hawser DESTINATION share/zsh/site-functions)
 # The catalogue is found by its place beside program and library (io/case/library.c), also in a build.
 install(DIRECTORY library/ DESTINATION share/hawser/library FILES_MATCHING PATTERN "*.yaml")
-install(FILES web/dist/desk.html DESTINATION share/hawser)
+install(FILES web/dist/desk.html web/dist/convert.cjs DESTINATION share/hawser)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/hawser)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/web/dist/desk.html ${PROJECT_BINARY_DIR}/share/hawser/desk.html SYMBOLIC)
+foreach(name desk.html convert.cjs)
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/web/dist/${name} ${PROJECT_BINARY_DIR}/share/hawser/${name} SYMBOLIC)
+endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/library ${PROJECT_BINARY_DIR}/share/hawser/library SYMBOLIC)
 install(DIRECTORY include/hawser DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 

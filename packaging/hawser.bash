@@ -21,11 +21,11 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk convert help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk convert' ;;
     run)
         case $previous in
         -o|--output|--resume) _hawser_offer 'folders' ;;
@@ -157,6 +157,15 @@ _hawser() {
         case $previous in
         -o|--output) _hawser_offer 'files' ;;
         *) _hawser_word '--output --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    convert)
+        case $previous in
+        -o|--output) _hawser_offer 'files' ;;
+        --unit) _hawser_offer 'mm m ft' ;;
+        --up) _hawser_offer 'y z' ;;
+        --memory|--time) _hawser_offer '' ;;
+        *) _hawser_word '--output --unit --up --memory --time --quiet --help --version' '*' ;;
         esac
         ;;
     esac

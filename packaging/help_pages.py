@@ -14,7 +14,7 @@ OPTION = re.compile(r"^ {2,6}(?:(-\w), )?(--[\w-]+)(?: ([A-Z]+))?  +(\S.*)$")
 COMMAND = re.compile(r"^  ([a-z]+) +(\S.*)$")
 # What may follow an option, by the name that its help gives to the value; beside them words, "files" or "folders".
 VALUES = {"FILE": "files", "DIR": "folders", "FORMAT": "table json csv", "UNITS": "si us", "N": "1 2",
-          "KIND": "auto block bordered klu", "UNIT": "mm m ft", "LENGTH": "", "STATION": "",
+          "KIND": "auto block bordered klu", "UNIT": "mm m ft", "AXIS": "y z", "MB": "", "S": "", "LENGTH": "", "STATION": "",
           "SHARE": "1% 0.5% 2%", "P": "5% 10% 20%", "WAY": "length start", "X": "", "VERSION": "2 3", "KEY": "", "KEYS": "", "NAME": "", "NAMES": "all facts pieces limits heads sections", "LAYER": "", "TEXT": ""}
 # What a command is about, by the first word of its usage.
 SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "RESULTS|CASE": "*", "[KIND": "cables ropes rollers ducts friction reels", "[WHAT]": "case study job summary",

@@ -24,7 +24,7 @@ def copy_licences(source: pathlib.Path, package: pathlib.Path) -> None:
 
 
 def copy_sources(source: pathlib.Path, package: pathlib.Path, program: pathlib.Path, fmu: pathlib.Path, place: str) -> None:
-    """The package's files and the program; the catalogue, the desk and the library for mock-up units where libhawser looks for them:
+    """The package's files and the program; the catalogue, the desk, the converter and the library for mock-up units where libhawser looks for them:
     beside the module that it is linked into, and above the program."""
     shutil.rmtree(package, ignore_errors=True)
     shutil.copytree(source / "python" / "hawser", package / "hawser", ignore=shutil.ignore_patterns("__pycache__"))
@@ -35,7 +35,8 @@ def copy_sources(source: pathlib.Path, package: pathlib.Path, program: pathlib.P
     catalogue.mkdir(parents=True)
     for file in (source / "library").glob("*.yaml"):
         shutil.copy(file, catalogue)
-    shutil.copy(source / "web" / "dist" / "desk.html", catalogue.parent)
+    for name in ("desk.html", "convert.cjs"):
+        shutil.copy(source / "web" / "dist" / name, catalogue.parent)
     (package / "hawser" / "bin").mkdir()
     shutil.copy(program, package / "hawser" / "bin" / "hawser")
     copy_licences(source, package)

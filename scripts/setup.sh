@@ -18,7 +18,7 @@ set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev libzip-dev libshp-dev
-    libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm abigail-tools"
+    libmeshoptimizer-dev libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm abigail-tools"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev afl++"
 mutants_packages="python3-clang-14"

@@ -1,6 +1,6 @@
-"""Writes the example tunnel of 60 m as a GLB file: walls, brackets, a tray, rollers, and a pipe in the way.
+"""Writes the example tunnel of 60 m as a GLB or IFC file: walls, brackets, a tray, rollers, and a pipe in the way.
 
-Usage: tunnel_model.py OUT.glb
+Usage: tunnel_model.py OUT.glb|OUT.ifc
 
 The cable's axis is the route of cases/environment/tunnel.yaml: from the origin 25 m along x, a bend of 20 degrees to the
 left with a radius of 30 m, and a straight to 60 m, all level. Lengths are in m with z upward; GLB has y upward. The file
@@ -153,10 +153,60 @@ def glb(shapes, nodes):
     return struct.pack("<3I", 0x46546C67, 2, 12 + len(body)) + body
 
 
+CLASSES = {"walls": "IFCWALL", "tray": "IFCCABLECARRIERSEGMENT", "tray end": "IFCDISCRETEACCESSORY",
+           "bracket": "IFCDISCRETEACCESSORY", "roller": "IFCBUILDINGELEMENTPROXY", "pipe": "IFCPIPESEGMENT"}
+
+
+def ifc(shapes, nodes):
+    """The same as IFC4, in mm: a triangulated face set a shape, and a product a node, whose class is that of CLASSES."""
+    lines = []
+
+    def add(text):
+        lines.append(f"#{len(lines) + 1}={text};")
+        return f"#{len(lines)}"
+
+    def real(*values):
+        return ",".join(repr(float(round(v, 9) + 0.0)) for v in values)
+
+    def guid():
+        return f"'{len(lines):022d}'"
+
+    def placement(x, y, z, turn):
+        point, up = add(f"IFCCARTESIANPOINT(({real(1000 * x, 1000 * y, 1000 * z)}))"), add("IFCDIRECTION((0.,0.,1.))")
+        ahead = add(f"IFCDIRECTION(({real(math.cos(turn), math.sin(turn))},0.))")
+        return add(f"IFCAXIS2PLACEMENT3D({point},{up},{ahead})")
+
+    origin = placement(0, 0, 0, 0)
+    context = add(f"IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,{origin},$)")
+    unit = add("IFCUNITASSIGNMENT((%s))" % add("IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.)"))
+    project = add(f"IFCPROJECT({guid()},$,'tunnel',$,$,$,$,({context}),{unit})")
+    maps, products = {}, []
+    for name, (points, faces) in shapes.items():
+        corners = add("IFCCARTESIANPOINTLIST3D((%s))" % ",".join(f"({real(*(1000 * v for v in p))})" for p in points))
+        index = ",".join("(%d,%d,%d)" % tuple(i + 1 for i in face) for face in faces)
+        solid = add(f"IFCTRIANGULATEDFACESET({corners},$,.T.,({index}),$)")
+        body = add(f"IFCSHAPEREPRESENTATION({context},'Body','Tessellation',({solid}))")
+        maps[name] = add(f"IFCREPRESENTATIONMAP({origin},{body})")
+    zero = add("IFCCARTESIANPOINT((0.,0.,0.))")
+    operator = add(f"IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,{zero},$,$)")
+    for name, mesh, s, up in nodes:
+        item = add(f"IFCMAPPEDITEM({maps[mesh]},{operator})")
+        body = add(f"IFCSHAPEREPRESENTATION({context},'Body','MappedRepresentation',({item}))")
+        shape = add(f"IFCPRODUCTDEFINITIONSHAPE($,$,({body}))")
+        x, y, z = (0, 0, 0) if s is None else line(s, 0, up)
+        place = add(f"IFCLOCALPLACEMENT($,{placement(x, y, z, 0 if s is None else heading(s))})")
+        products.append(add(f"{CLASSES[mesh]}({guid()},$,'{name}',$,$,{place},{shape},$,$)"))
+    site = add(f"IFCSITE({guid()},$,'site',$,$,$,$,$,$,$,$,$,$,$)")
+    add(f"IFCRELAGGREGATES({guid()},$,$,$,{project},({site}))")
+    add(f"IFCRELCONTAINEDINSPATIALSTRUCTURE({guid()},$,$,$,({','.join(products)}),{site})")
+    head = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('tunnel.ifc','',(''),(''),'','','');\n"
+    return (head + "FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n").encode()
+
+
 def main():
     shapes, nodes = model()
     with open(sys.argv[1], "wb") as file:
-        file.write(glb(shapes, nodes))
+        file.write((ifc if sys.argv[1].endswith(".ifc") else glb)(shapes, nodes))
     for name, shape in shapes.items():
         n = sum(mesh == name for _, mesh, _, _ in nodes)
         print("%s: %d of %d triangles, %.9g m2, %.9g m3 each" % (name, n, len(shape[1]), *measures(shape)))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the page of the report: web/src -> web/dist/report.js, report.css, MANIFEST. The result is committed, so that who only
+# Builds the page of the report and the converter of models: web/src -> web/dist/report.js, report.css, convert.cjs, MANIFEST. The result is committed, so that who only
 # runs hawser needs no Node (web/README.md). Needs Node and npm (sh scripts/setup.sh --web).
 # Usage: sh scripts/web.sh [--check | --packages]
 #   --check      builds into a scratch folder and compares with web/dist bit for bit
@@ -18,13 +18,15 @@ node_modules/.bin/eslint --max-warnings 0 src
 node_modules/.bin/prettier --config .prettierrc.json --check --log-level warn src '*.mjs' package.json tsconfig.json '../tests/web/**/*.mjs'
 if [ "${1-}" != --check ]; then
     node build.mjs
+    node convert.mjs
     python3 manifest.py --write
     exit 0
 fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 node build.mjs "$scratch"
-for file in report.js report.css; do
+node convert.mjs "$scratch"
+for file in report.js report.css convert.cjs; do
     cmp "$scratch/$file" "dist/$file" || {
         echo "web.sh: web/dist/$file is not what web/src makes: run sh scripts/web.sh and commit web/dist" >&2
         exit 1

@@ -43,6 +43,7 @@ const parts = {
   POLICY: `default-src 'none'; script-src 'sha256-${sumOf(script)}' 'sha256-${sumOf(report)}' blob: 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'`,
   STYLE: readFileSync('src/desk/desk.css', 'utf8'),
   ENGINE: deflateRawSync(readFileSync(`${folder}/hawser.wasm`), { level: 9 }).toString('base64'),
+  CONVERTER: deflateRawSync(readFileSync('dist/convert.cjs'), { level: 9 }).toString('base64'),
   GLUE: safe(readFileSync(`${folder}/hawser.js`, 'utf8')),
   LICENCES: safe(readFileSync(`${folder}/licences.txt`, 'utf8')),
   REPORTSCRIPT: report,
@@ -52,7 +53,7 @@ const parts = {
   SCRIPT: script,
 };
 const page = readFileSync('src/desk/desk.html.in', 'utf8').replace(
-  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|REPORTSCRIPT|REPORTSTYLE|REPORTSUM|LICENCES|WORKER|SCRIPT)(?=["<])/g,
+  /(?<=content="|>)(POLICY|STYLE|ENGINE|CONVERTER|GLUE|REPORTSCRIPT|REPORTSTYLE|REPORTSUM|LICENCES|WORKER|SCRIPT)(?=["<])/g,
   (_, part) => parts[part],
 );
 writeFileSync(process.argv[3] ?? 'dist/desk.html', page);

@@ -1,7 +1,9 @@
 // The licence of a library of npm's, as a comment that minifiers keep because it begins with an exclamation mark.
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 
 export function licence(name) {
-  const { version } = JSON.parse(readFileSync(`node_modules/${name}/package.json`, 'utf8'));
-  return `/*! ${name} ${version}\n\n${readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim()}\n*/`;
+  const folder = `node_modules/${name}`;
+  const { version } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
+  const file = readdirSync(folder).find((one) => /^LICENSE(\.md)?$/.test(one));
+  return `/*! ${name} ${version}\n\n${readFileSync(`${folder}/${file}`, 'utf8').trim()}\n*/`;
 }

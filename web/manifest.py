@@ -12,8 +12,8 @@ from pathlib import Path
 
 WEB = Path(__file__).resolve().parent
 MANIFEST = WEB / "dist" / "MANIFEST"
-MADE_OF = ("package.json", "package-lock.json", "tsconfig.json", "build.mjs", "desk.mjs", "licence.mjs")
-MADE = ("dist/report.js", "dist/report.css", "dist/desk.html")
+MADE_OF = ("package.json", "package-lock.json", "tsconfig.json", "build.mjs", "desk.mjs", "convert.mjs", "licence.mjs")
+MADE = ("dist/report.js", "dist/report.css", "dist/desk.html", "dist/convert.cjs")
 
 
 def sums():

@@ -62,6 +62,19 @@ typedef struct hawser_place_options {
 hawser_status hawser_case_place(struct hawser_case *c, const hawser_place_options *options, hawser_format format,
                                 char **text, hawser_word *word, hawser_error *err);
 
+/* How a model is converted; zeroed: the file's own unit and axis, the usual limits. */
+typedef struct hawser_convert_options {
+    const char *unit; /* m, cm, mm, in or ft, where the file does not say; NULL: not given */
+    const char *up;   /* the file's axis that points up, y or z, where the file does not say; NULL: not given */
+    double memory;    /* resident memory of the converter, bytes; 0: 4096e6 */
+    double seconds;   /* its time; 0: 300 */
+} hawser_convert_options;
+/* Converts a model (IFC, OBJ, PLY, COLLADA, FBX, 3DS, 3MF or a cloud of points as XYZ) to GLB, by node in a child
+ * process. *text: what was taken and what left out, a line each; the caller frees it. Errors: INPUT (the model cannot
+ * be read, is larger than the limits or lacks a unit or axis; no node), OUTPUT, MEMORY. */
+hawser_status hawser_model_convert(const char *model, const char *path, const hawser_convert_options *options,
+                                   char **text, hawser_error *err);
+
 /* Writes the desk (docs/guide/first-pull.md) to `path`, one HTML file for any browser that contains the text of a case
  * file; NULL: an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside
  * the program), OUTPUT, MEMORY. */

@@ -273,6 +273,7 @@ static hawser_status results_of(hawser_sim *s, Results **out, const OutDir *home
     hawser_status status = along_rows(s, &route, &def.n_route, err);
     if (!status) status = sim_summary_text(s, NULL, &summary, err);
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
+    if (!status && def.states > 0) status = geometry_see(&geometry, &s->stage.scene.def.environment, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
     if (!at) envelope_free(&s->envelope); /* from an earlier run */

@@ -548,9 +548,64 @@ static void envelope_add(Text *out, hid_t file)
     text_add(out, "}");
 }
 
+enum { SEEN_MOST = 1 << 24 };         /* numbers that a float has exactly */
+static const double seen_step = 1e-3; /* m: a corner moves by half of it at most */
+
+/* Packs a set of whole numbers or of lengths as a field of one frame: `"key":"..."`. 0: it does not fit. */
+static int seen_pack(Text *out, hid_t file, const Item *item, double step, hsize_t *n)
+{
+    hsize_t dims[2] = {0, 1};
+    hawser_error err;
+    double *const values = numbers_read(file, item->set, item->width ? 2 : 1, dims);
+    const hsize_t width = item->width ? dims[1] : 1, count = dims[0] * width;
+    float *const small = values && count < SEEN_MOST ? malloc((count + 1) * sizeof *small) : NULL;
+    int ok = small && width == (hsize_t)(item->width ? item->width : 1);
+    for (hsize_t i = 0; i < count && ok; i++) small[i] = (float)values[i];
+    text_print(out, ",\n\"%s\":\"", item->key);
+    ok = ok && !pack_field(1, (int)dims[0], (int)width, step, small, out, &err);
+    text_add(out, "\"");
+    *n = dims[0];
+    free(values);
+    free(small);
+    return ok;
+}
+
+/* Writes the environment as it is shown, or only how large it is. */
+static void seen_add(Text *out, hid_t file)
+{
+    static const Item size[] = {{"given", "given", 0}, {"error_m", "error", 0}};
+    static const Item name = {"layers", "environment/layer_name", -1};
+    static const Item set[] = {{"points", "environment/points", 3},
+                               {"triangles", "environment/triangles", 3},
+                               {"layer", "environment/layer", 0}};
+    hsize_t n[3] = {0};
+    Text packed = {0};
+    int ok = 1;
+    const hid_t group = door_group(file, "environment");
+    if (group < 0) return;
+    text_add(out, ",\n\"environment\":{");
+    for (int k = 0; k < LENGTH(size); k++) {
+        double value;
+        door_numbers(group, size[k].set, 1, &value);
+        text_print(out, "\"%s\":", size[k].key);
+        number_add(out, value);
+        text_add(out, ",");
+    }
+    door_close(group);
+    text_print(out, "\"step_m\":%g", seen_step);
+    array_add(out, file, &name, 0);
+    for (int k = 0; k < LENGTH(set) && ok; k++) ok = seen_pack(&packed, file, &set[k], k ? 1 : seen_step, &n[k]);
+    text_print(out, ",\"n_points\":%d,\"n_triangles\":%d", ok ? (int)n[0] : 0, ok ? (int)n[1] : 0);
+    if (ok && packed.at) text_bytes(out, packed.at, packed.size);
+    text_add(out, "}");
+    out->failed |= packed.failed;
+    text_clear(&packed);
+}
+
 void geometry_add(Text *out, hid_t file, Folder *folder)
 {
     if (has(file, "geometry")) around_add(out, file, folder);
+    seen_add(out, file);
     if (has(file, "chain")) chain_add(out, file);
     if (has(file, "envelope")) envelope_add(out, file);
     if (!has(file, "geometry"))

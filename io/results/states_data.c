@@ -50,6 +50,12 @@ const FixedSet geometry_set[] = {
     {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
      "part of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
     {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
+    {"environment/points", FIXED_NUMBER, OF(seen.mesh.vertex, seen.mesh.n_vertices), 3, "m",
+     "corners of its triangles"},
+    {"environment/triangles", FIXED_COUNT, OF(seen.mesh.triangle, seen.mesh.n_triangles), 3, "1",
+     "three points each; three equal ones: a point of a cloud"},
+    {"environment/layer", FIXED_COUNT, OF(seen.mesh.layer, seen.mesh.n_triangles), 0, "1", "of every triangle"},
+    {"environment/layer_name", FIXED_NAME, OF(seen.layer_name, seen.mesh.n_layers), 0, "", "of every layer"},
     {"chain/length", FIXED_NUMBER, OF(length, n_segments), 0, "m", "of every segment, unstretched"},
     {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments), 0, "m", "of every segment"},
     {"chain/part", FIXED_COUNT, OF(part, n_segments), 0, "1", "of every segment: 0 cable, 1 rope"},
@@ -172,6 +178,16 @@ static int winch_write(hid_t file, const GeometryWinch *w)
     return ok;
 }
 
+static int seen_write(hid_t file, const GeometrySeen *s)
+{
+    if (s->given == 0) return 1;
+    const double given = s->given;
+    const hid_t group = h5_group(file, "environment");
+    const int ok = group >= 0 && h5_numbers(group, "given", 1, &given) && h5_numbers(group, "error", 1, &s->error);
+    if (group >= 0) h5_leave(group);
+    return ok;
+}
+
 int geometry_write(hid_t file, const Geometry *g, int *error)
 {
     const hid_t group = h5_group(file, "geometry");
@@ -179,7 +195,7 @@ int geometry_write(hid_t file, const Geometry *g, int *error)
              h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
     if (group >= 0) h5_leave(group);
     for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
-    ok = ok && reel_write(file, &g->reel) && winch_write(file, &g->winch);
+    ok = ok && seen_write(file, &g->seen) && reel_write(file, &g->reel) && winch_write(file, &g->winch);
     const hid_t chain = ok ? h5_group(file, "chain") : -1;
     ok = chain >= 0 && h5_text(chain, "part_names", "cable, rope");
     if (chain >= 0) h5_leave(chain);

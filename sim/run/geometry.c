@@ -615,5 +615,7 @@ void geometry_free(Geometry *g)
     for (int i = 0; i < g->n_owned; ++i) free(g->owned[i]);
     free(g->owned);
     skin_free(&g->skin);
+    mesh_free(&g->seen.mesh);
+    free(g->seen.layer_name);
     *g = (Geometry){0};
 }

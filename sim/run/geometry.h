@@ -59,6 +59,16 @@ typedef struct GeometryWinch {
     double position[3], direction[3]; /* m; unit, of the pull */
 } GeometryWinch;
 
+/* The environment as it is shown: a mesh of at most about SEEN_TRIANGLES triangles and points. */
+enum { SEEN_TRIANGLES = 200000 };
+
+typedef struct GeometrySeen {
+    Mesh mesh;
+    GeometryText *layer_name; /* [mesh.n_layers], owned */
+    int given;                /* triangles and points of the case; 0: it has no environment */
+    double error;             /* m, (EN60) */
+} GeometrySeen;
+
 typedef struct Geometry {
     int n_route;                                           /* 0: a rod */
     double *route_s, *route_position, *route_curvature;    /* [n], [3n], [n] 1/m */
@@ -84,13 +94,17 @@ typedef struct Geometry {
     int *part, *piece;         /* [n] 0 cable, 1 rope; index of the chain's piece */
     int n_pieces;
     GeometryText *piece_name; /* name of its cable or rope */
-    Skin skin;                /* everything as triangles */
+    Skin skin;                /* everything but the environment as triangles */
+    GeometrySeen seen;
     int n_owned;
-    void **owned; /* [n_owned] all arrays but the mesh's */
+    void **owned; /* [n_owned] all arrays but the meshes' */
 } Geometry;
 
 /* Errors: MEMORY. */
 hawser_status geometry_make(const Scene *scene, Geometry *out, hawser_error *err);
+/* Adds the environment to it, simplified. A build that cannot, and a large model: it is not shown, and `given` tells.
+ * geometry_free follows. Errors: MEMORY. */
+hawser_status geometry_see(Geometry *g, const EnvironmentDef *def, hawser_error *err);
 void geometry_free(Geometry *g);
 /* Length of a segment of the whole chain, m, unstretched. */
 double geometry_length(const Scene *scene, int segment);

@@ -260,6 +260,9 @@ static void others(void)
     REFUSED("job", hawser_job_workbook, NULL, "x.xlsx");
     hawser_job_free(NULL);
     REFUSED("path", hawser_desk_write, NULL, NULL);
+    REFUSED("model", hawser_model_convert, NULL, "x.glb", NULL, &text);
+    REFUSED("path", hawser_model_convert, "x.ifc", NULL, NULL, &text);
+    REFUSED("text", hawser_model_convert, "x.ifc", "x.glb", NULL, NULL);
     REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("c", hawser_case_place, NULL, NULL, HAWSER_TABLE, &text, NULL);
     REFUSED("c", hawser_case_crew_sheet, NULL, HAWSER_SI, "x.html", NULL);

@@ -13,6 +13,7 @@ LIBRARIES = [
     (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/solve/"),
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
+    (r"meshoptimizer\.h$", r"contact/simplify\.c"),
     (r"expat\.h$", r"survey/"),
     (r"jansson\.h$", r"io/|survey/(map|gltf)\.c|study/(evaluate|workers)\.c"),
     (r"yaml\.h$", r"io/"),

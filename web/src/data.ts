@@ -129,6 +129,22 @@ export interface Geometry {
   obstacles?: Obstacle[] | null;
 }
 
+/** The environment as it is shown; corners about the data's origin in steps, each list packed as a field of one frame. */
+export interface Surroundings {
+  /** Triangles and points of the models; and how far what is shown is from them at most. */
+  given: number;
+  error_m: Value;
+  step_m: number;
+  layers: string[];
+  n_points: number;
+  /** 0: more than this build of hawser can show. */
+  n_triangles: number;
+  points: string;
+  /** Three points each; three equal ones are a point of a cloud. */
+  triangles: string;
+  layer: string;
+}
+
 export interface FieldMeta {
   components: number;
   unit: string;
@@ -167,6 +183,7 @@ export interface RunData {
   notes?: string[];
   theory_along?: TheoryAlong | null;
   geometry?: Geometry | null;
+  environment?: Surroundings | null;
   chain?: { segments: number; length_m: number[]; diameter_m: number[]; part: number[]; part_names: string[] } | null;
   envelope?: { place?: Envelope; arc?: Envelope } | null;
   roller_force?: (FieldMeta & { packed: string }) | null;

@@ -2,6 +2,7 @@
  * text as one archive that opens elsewhere. A file has its place as its name: the case is in the folder /case, as for the engine. */
 import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
 import { placeOf, type Files } from './engine';
+import { READ } from './models';
 import { filesOf } from './splice';
 
 /** What holds lines that can be a route. */
@@ -17,7 +18,7 @@ const MOST = 500e6;
 export const namedBy = (text: string): string[] => [
   ...new Set(
     filesOf(text)
-      .filter((name) => ROUTES.test(name) || CASES.test(name))
+      .filter((name) => ROUTES.test(name) || CASES.test(name) || READ.test(name))
       .map(placeOf),
   ),
 ];

@@ -50,6 +50,7 @@ import { markedLine, showLine } from './marked_line';
 import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
 import { Simulation } from './simulate';
+import { asked as unitOf, CONVERTED, converted, item, READ } from './models';
 import { nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
 import { Start } from './start';
 import { Strips } from './strips';
@@ -502,6 +503,29 @@ function download(as: string, content: BlobPart, type: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
+/** A model of the tunnel: put beside the case, as GLB, and taken into its section `environment`. */
+async function openModel(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+  const told = unitOf(name);
+  if (!told) return;
+  let file = name;
+  try {
+    if (CONVERTED.test(name)) {
+      say(t('Converting {1}.', name));
+      const { glb, triangles, points, notes } = await converted(name, bytes, told);
+      file = name.replace(/\.\w+$/, '.glb');
+      bytes = glb;
+      say([`${file}: ${triangles + points}`, ...notes].join('; '));
+    }
+    const places = placesFor(current(), file).map((place) => [place, bytes] as const);
+    await hold(new Map([...(engine?.files ?? []), ...places]));
+    const there = nodeAt(parsed(current()), ['environment']) !== undefined;
+    if (!there) change(putSection(current(), 'environment', `environment:\n${item(file, told)}`), t('Environment'));
+    else say(t('The case has an environment already: add {1} to it.', file));
+  } catch (why) {
+    say(`${name}: ${messageOf(why)}`);
+  }
+}
+
 /** Files that were chosen together: a case with its own, as an archive or one by one; or those of the case on the desk; or a new route. */
 async function openFiles(chosen: Iterable<File>): Promise<void> {
   begin.close();
@@ -535,12 +559,17 @@ async function openFiles(chosen: Iterable<File>): Promise<void> {
     throw new Error(
       t('The desk reads no shapefiles such as {1}. Save the lines as GeoJSON, for example by QGIS.', shape.name),
     );
-  const other = all.find((one) => !ROUTES.test(one.name) && !CASES.test(one.name));
+  const isModel = (name: string): boolean =>
+    !asked(name) && (READ.test(name) || (CONVERTED.test(name) && !ROUTES.test(name)));
+  const lines = all.filter((one) => !isModel(one.name));
+  const other = lines.find((one) => !asked(one.name) && !ROUTES.test(one.name) && !CASES.test(one.name));
   if (other) throw new Error(t('{1} is neither a case nor a route.', other.name));
-  await hold(new Map([...(engine?.files ?? []), ...placed(current(), all)]));
-  for (const { name: file } of all)
+  await hold(new Map([...(engine?.files ?? []), ...placed(current(), lines)]));
+  for (const { name: file, bytes } of lines)
     if (asked(file)) say(t('{1}: the case names it.', file));
-    else await route(file);
+    else if (!CONVERTED.test(file)) await route(file);
+    else await route(file).catch(() => openModel(file, bytes)); // an IFC without an alignment is a model
+  for (const model of all.filter((one) => isModel(one.name))) await openModel(model.name, model.bytes);
 }
 
 /** The line of a file beside the case becomes its route. */

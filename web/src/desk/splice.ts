@@ -192,7 +192,7 @@ export function filesOf(text: string): string[] {
   }
   const texts = (value: unknown): string[] =>
     typeof value === 'string' ? [value] : value && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
-  return [data?.['route'], data?.['drawing'], data?.['include']].flatMap(texts);
+  return [data?.['route'], data?.['drawing'], data?.['include'], data?.['environment']].flatMap(texts);
 }
 
 /** Puts a section in place of the one that is there, or at the end; comments around it stay. */

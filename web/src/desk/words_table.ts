@@ -552,4 +552,18 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     '此次仿真之后算例已被修改。',
     'Der Fall ist seit diesem Lauf geändert worden.',
   ],
+  ['Environment', '环境', 'Umgebung'],
+  [
+    'Unit of length of {1}: m, cm, mm, in or ft',
+    '{1} 的长度单位：m、cm、mm、in 或 ft',
+    'Längeneinheit von {1}: m, cm, mm, in oder ft',
+  ],
+  ['Axis of {1} that points up: y or z', '{1} 中朝上的轴：y 或 z', 'Achse von {1}, die nach oben zeigt: y oder z'],
+  ['The conversion takes more than {1} s.', '转换时间超过 {1} 秒。', 'Die Umwandlung dauert länger als {1} s.'],
+  ['Converting {1}.', '正在转换 {1}。', '{1} wird umgewandelt.'],
+  [
+    'The case has an environment already: add {1} to it.',
+    '算例已有环境：请将 {1} 添加到其中。',
+    'Der Fall hat schon eine Umgebung: fügen Sie {1} dort hinzu.',
+  ],
 ];

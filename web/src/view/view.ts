@@ -8,6 +8,7 @@ import { unpackFrames } from './states/frames';
 import { HELP, listenToKeys } from './desk/keys';
 import { rollerForces } from './desk/picked';
 import { paperPicture } from './paper';
+import { LayersPanel } from './desk/layers';
 import { listenToPointer } from './desk/pointer';
 import { Narrator } from './desk/sentence';
 import { Viewer } from './viewer';
@@ -109,6 +110,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store, togethe
   );
   root.replaceChildren(shell);
   const ends: (() => void)[] = [];
+  let panel: LayersPanel | null = null;
   const world = worldIn(stage, viewer);
   if (world) {
     viewer.draws(
@@ -120,6 +122,12 @@ export function mountView(root: HTMLElement, run: RunData, store: Store, togethe
       ),
     );
     stage.append(viewer.legend.root, viewer.inspector.root);
+    const { environment } = world;
+    if (environment) {
+      const made = new LayersPanel(environment.of, environment, () => world.stage.invalidate());
+      panel = made;
+      viewer.tools.root.append(made.root);
+    }
     const canvas = world.stage.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
@@ -133,6 +141,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store, togethe
   const dress = (): void => {
     shell.dataset['theme'] = store.get('theme');
     viewer.redress();
+    panel?.units(store.get('units'));
   };
   ends.push(
     listenToKeys(shell, viewer),
@@ -161,8 +170,27 @@ export function mountView(root: HTMLElement, run: RunData, store: Store, togethe
   };
 }
 
+/** Unpacks the environment; what is damaged, or too large for the build that wrote it, is said. */
+async function surround(viewer: Viewer, words: HTMLElement): Promise<void> {
+  const { world, model } = viewer;
+  try {
+    await world?.environment?.unpack();
+    world?.stage.invalidate();
+  } catch (error) {
+    words.after(
+      el('p', {}, `The environment cannot be shown: ${error instanceof Error ? error.message : String(error)}.`),
+    );
+  }
+  const around = model.run.environment;
+  if (around && around.n_triangles === 0)
+    words.after(
+      el('p', {}, `The environment is not shown: its ${around.given} triangles are more than this build can simplify.`),
+    );
+}
+
 /** Unpacks the states while the page goes on; what is damaged is said. */
 async function unpack(run: RunData, viewer: Viewer, words: HTMLElement): Promise<void> {
+  await surround(viewer, words);
   if (!run.states || run.states.frames === 0) {
     words.textContent = NO_STATES;
     return;

@@ -12,6 +12,7 @@ export interface Palette {
   drum: string;
   frame: string;
   obstacle: string;
+  environment: string;
 }
 
 export const PALETTES: Record<Theme, Palette> = {
@@ -26,6 +27,7 @@ export const PALETTES: Record<Theme, Palette> = {
     drum: '#b98d5e',
     frame: '#59636e',
     obstacle: '#b0532f',
+    environment: '#cfd4da',
   },
   dark: {
     ground: '#12171d',
@@ -38,5 +40,6 @@ export const PALETTES: Record<Theme, Palette> = {
     drum: '#a87f54',
     frame: '#98a4b0',
     obstacle: '#d9774f',
+    environment: '#46515d',
   },
 };

@@ -1,6 +1,7 @@
 // The scene: everything that is drawn, for a model; what is under the pointer in it.
 import type { Theme } from '../../state';
 import { ChainMesh } from './chain_mesh';
+import { Environment } from './environment';
 import { Equipment, groundBelow } from './equipment';
 import { Ground } from './ground';
 import { Labels } from './labels';
@@ -34,6 +35,7 @@ export class World {
   private readonly chains: (ChainMesh | null)[];
   readonly rollers: RollersMesh | null;
   readonly ground: Ground;
+  readonly environment: Environment | null;
   private readonly shared = sharedUniforms();
   private readonly equipment: Equipment;
   private readonly routePoints: Float32Array;
@@ -75,6 +77,9 @@ export class World {
       chain.mesh.visible = false;
       scene.add(chain.mesh);
     }
+    const around = run.environment;
+    this.environment = around && around.n_triangles > 0 ? new Environment(around, model, this.shared) : null;
+    if (this.environment) scene.add(this.environment.group);
     this.stage.reach(6 * wide);
     this.routePoints = Float32Array.from((path?.points ?? []).flat());
     this.routeScreen = screenOf(path?.points.length ?? 0);
@@ -97,6 +102,7 @@ export class World {
     this.equipment.recolour(palette);
     this.rollers?.recolour(palette.steel);
     this.ground.recolour(palette.grid);
+    this.environment?.recolour(palette.environment);
     this.shared.light.value.set(theme === 'dark' ? 0.6 : 0.68, 0.42);
     this.stage.invalidate();
   }
@@ -111,7 +117,8 @@ export class World {
     const { stage } = this;
     const pixel = this.shared.pixel.value * stage.distance;
     const thick = Math.min(LARGEST_FACTOR, Math.max(1, (THICK_PX * pixel) / this.model.diameter));
-    const own = this.beside.models.length > 0 ? 1 : thick; // cables that touch would be drawn inside each other
+    // cables that touch would be drawn inside each other, and a cable in a tunnel within its walls
+    const own = this.beside.models.length > 0 || this.environment ? 1 : thick;
     this.shared.factor.value = this.asked ?? own;
     const { target } = stage.controls;
     this.ground.follow(target.x, target.y, stage.distance, this.unit);
@@ -178,6 +185,7 @@ export class World {
     this.rollers?.dispose();
     this.equipment.dispose();
     this.ground.dispose();
+    this.environment?.dispose();
     this.labels.root.remove();
     this.stage.dispose();
   }
