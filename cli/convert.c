@@ -6,25 +6,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] =
-    "Usage: hawser convert FILE -o MODEL.glb [options]\n"
-    "\n"
-    "Converts a model of a tunnel and of what stands in it to GLB, which a case reads (docs/guide/environment.md):\n"
-    "IFC 2x3, 4 and 4x3, OBJ, PLY, COLLADA (.dae), FBX, 3DS, 3MF, and points as XYZ or PLY. Names and places are "
-    "kept,\n"
-    "of IFC also classes, numbers and properties. GLB, STL and DXF need no conversion. It runs node.\n"
-    "\n"
-    "  -o, --output FILE       where the GLB goes\n"
-    "      --unit UNIT         of a file that does not say it (OBJ, PLY, 3DS, XYZ): m, cm, mm, in or ft\n"
-    "      --up AXIS           the axis that points up in such a file: y or z\n"
-    "      --memory MB         most memory of the conversion (default: 4096)\n"
-    "      --time S            most time for it, in seconds (default: 300)\n"
-    "  -q, --quiet             prints nothing but errors\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
-    "Exit status: 0 done; 2 the model cannot be read, lacks a unit or an axis, or is beyond the limits; 4 the file\n"
-    "cannot be written; 5 no memory.\n";
+static const char help[] = "Usage: hawser convert FILE -o MODEL.glb [options]\n"
+                           "\n"
+                           "Converts a model of a tunnel and of what stands in it to GLB, which a case reads\n"
+                           "(docs/guide/environment.md): IFC 2x3, 4 and 4x3, OBJ, PLY, COLLADA (.dae), FBX,\n"
+                           "3DS, 3MF, and points as XYZ or PLY. Names and places are kept, of IFC also\n"
+                           "classes, numbers and properties. GLB, STL and DXF need no conversion.\n"
+                           "The command runs node.\n"
+                           "\n"
+                           "  -o, --output FILE       where the GLB goes\n"
+                           "      --unit UNIT         of a file without one (OBJ, PLY, 3DS, XYZ): m, cm, mm,\n"
+                           "                          in or ft\n"
+                           "      --up AXIS           the axis that points up in such a file: y or z\n"
+                           "      --memory MB         most memory of the conversion (default: 4096)\n"
+                           "      --time S            most time for it, in seconds (default: 300)\n"
+                           "  -q, --quiet             prints nothing but errors\n"
+                           "  -h, --help              this text\n"
+                           "  -V, --version           the version\n"
+                           "\n"
+                           "Exit status: 0 done; 2 the model cannot be read, lacks a unit or an axis, or is\n"
+                           "beyond the limits; 4 the file cannot be written; 5 no memory.\n";
 
 static int convert(const Arguments *args)
 {
