@@ -8,9 +8,9 @@
 #include "tests/support/lack.h"
 #include "tests/support/tessellated.h"
 
-enum { N = 12, MESH_LAW = SURFACES_MAX - 1 };
+enum { N = 12, MESH_LAW = SURFACES_MAX - 1, LAYERS = 4 };
 
-static const int ALL[1] = {MESH_LAW};
+static const int ALL[LAYERS] = {MESH_LAW, MESH_LAW, MESH_LAW, MESH_LAW};
 
 static const RoutePieceDef WAY[] = {{.kind = ROUTE_STRAIGHT, .length = 1},
                                     {.kind = ROUTE_BEND, .radius = 2, .angle = 1, .plane = 0},
@@ -20,6 +20,7 @@ static const RoutePieceDef WAY[] = {{.kind = ROUTE_STRAIGHT, .length = 1},
 static void mesh_add(SurfaceScene *s, const Mesh *mesh)
 {
     SurfaceModel *const m = &s->model;
+    assert_true(mesh->n_layers <= LAYERS);
     m->facets = facets_new(mesh, ALL);
     assert_non_null(m->facets);
     m->n_laws = 1;
