@@ -34,7 +34,7 @@ def measure(build, case):
 
 
 def cell(row):
-    return (f"{row['steps']} / {row['rhs_evals']} / {row['jac_evals']}", f"{row["cpu_s"]:.2f}",
+    return (f"{row['steps']} / {row['rhs_evals']} / {row['jac_evals']}", f"{row['cpu_s']:.2f}",
             f"{row['mean_pct']:+.3f} / {row['peak_pct']:+.2f}")
 
 
