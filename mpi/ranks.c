@@ -60,6 +60,7 @@ int hawser_mpi_open(hawser_ranks *out)
     MPI_Comm_rank(MPI_COMM_WORLD, &out->rank);
     MPI_Comm_size(MPI_COMM_WORLD, &out->count);
     const size_t size = (size_t)out->count * WAITING_MAX * (HAWSER_RANK_WORDS * sizeof(int64_t) + MPI_BSEND_OVERHEAD);
+    if (size > INT_MAX) return 1;
     buffer = malloc(size);
     return !buffer || MPI_Buffer_attach(buffer, (int)size) != MPI_SUCCESS;
 }
