@@ -27,6 +27,9 @@ export function html(data) {
 <body><main id="hawser"></main><script type="application/json" id="hawser-data">${text}</script><script>${part('report.js')}</script></body></html>`;
 }
 
+/** Limit of one wait, ms: it ends what hangs and does not measure how fast a machine is. */
+export const HANGS = 10 * 60 * 1000;
+
 let browser;
 const folder = mkdtempSync(join(tmpdir(), 'hawser-web-'));
 
@@ -38,12 +41,13 @@ export async function stop() {
 /** Opens a file from disk and waits until it is there (`ready`). What the page asks of a network or says in the console is in `heard`, which has
  * to stay empty. */
 export async function openFile(path, options = {}, ready = settled) {
-  browser ??= await chromium.launch({ executablePath: CHROMIUM, args: ARGUMENTS });
+  browser ??= await chromium.launch({ executablePath: CHROMIUM, args: ARGUMENTS, timeout: HANGS });
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 },
     acceptDownloads: true,
     ...options,
   });
+  context.setDefaultTimeout(HANGS);
   const page = await context.newPage();
   const heard = [];
   page.on('request', (request) => {

@@ -111,9 +111,7 @@ test('a tunnel with rollers and conveyors: equipment by buttons, the run, its vi
   assert.ok(text.startsWith(read('docs/tutorial/tunnel.yaml')) && text.includes('conveyors:'), text);
   await act(page.click('#simulate'));
   await act(page.getByRole('button', { name: 'Start', exact: true }).click());
-  await page.waitForFunction(() => /^By the run: /.test(document.getElementById('run-status').textContent), null, {
-    timeout: 60000,
-  });
+  await page.waitForFunction(() => /^By the run: /.test(document.getElementById('run-status').textContent));
   assert.ok(count() < 25, `${count()} actions`);
   const frame = page.frameLocator('#run-page');
   const canvas = frame.locator('#view canvas').first();

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { ROOT } from './browser.mjs';
+import { HANGS, ROOT } from './browser.mjs';
 import { assertSame, put, read, settled, textOf } from './desk.mjs';
 
 const hawser = process.argv[2];
@@ -20,9 +20,10 @@ const { firefox } = createRequire(join(ROOT, 'web/package.json'))('playwright-co
 
 /** A page in a Firefox of its own, which is spoken to by WebDriver BiDi and closed when the test is over. */
 async function opened(path, t) {
-  const browser = await firefox.launch({ executablePath: FIREFOX, channel: 'moz-firefox' });
+  const browser = await firefox.launch({ executablePath: FIREFOX, channel: 'moz-firefox', timeout: HANGS });
   t.after(() => browser.close());
   const page = await browser.newPage();
+  page.setDefaultTimeout(HANGS);
   const heard = [];
   page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && heard.push(`request of ${request.url()}`));
   page.on('pageerror', (error) => heard.push(error.stack ?? error.message));
@@ -30,7 +31,7 @@ async function opened(path, t) {
   return { page, heard };
 }
 
-test('the desk: the verdict, an edit of the table, undo, a run with its report', { timeout: 240000 }, async (t) => {
+test('the desk: the verdict, an edit of the table, undo, a run with its report', async (t) => {
   const { page, heard } = await opened(join(ROOT, 'web/dist/desk.html'), t);
   await settled(page);
   await page.keyboard.press('Escape');
@@ -53,21 +54,19 @@ test('the desk: the verdict, an edit of the table, undo, a run with its report',
   await put(page, read('cases/huangjiahu.yaml'));
   await page.click('#simulate');
   await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await page.waitForFunction(() => /^By the run: SAFE/.test(document.getElementById('run-status').textContent), null, {
-    timeout: 120000,
-  });
+  await page.waitForFunction(() => /^By the run: SAFE/.test(document.getElementById('run-status').textContent));
   const frame = page.frameLocator('#run-page');
-  await frame.locator('.plot canvas').first().waitFor({ timeout: 60000 });
+  await frame.locator('.plot canvas').first().waitFor();
   assert.deepEqual(heard, []);
 });
 
-test('the page of a report: its figures are drawn', { timeout: 120000 }, async (t) => {
+test('the page of a report: its figures are drawn', async (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'hawser-firefox-'));
   const path = join(folder, 'report.html');
   execFileSync(hawser, ['run', join(ROOT, 'cases/straight.yaml'), '-o', join(folder, 'r'), '-q'], { stdio: 'ignore' });
   execFileSync(hawser, ['report', join(folder, 'r'), '-o', path], { stdio: 'ignore' });
   const { page, heard } = await opened(path, t);
-  await page.locator('.plot canvas').first().waitFor({ timeout: 60000 });
+  await page.locator('.plot canvas').first().waitFor();
   assert.ok((await page.locator('#hawser section').count()) > 5);
   assert.deepEqual(heard, []);
   rmSync(folder, { recursive: true });

@@ -30,8 +30,8 @@ async function begin(page) {
   await page.getByRole('button', { name: 'Start' }).click();
 }
 
-const reported = (page, timeout) =>
-  page.waitForFunction(() => document.getElementById('run-page').srcdoc.includes('hawser-data'), null, { timeout });
+const reported = (page) =>
+  page.waitForFunction(() => document.getElementById('run-page').srcdoc.includes('hawser-data'));
 
 test('the tunnel of the paper: estimate, run, report; verdict and pull are those of the program', async () => {
   const { page, heard, close } = await desk();
@@ -39,7 +39,7 @@ test('the tunnel of the paper: estimate, run, report; verdict and pull are those
   await page.click('#simulate');
   await page.waitForFunction(() => /370 segments, 30 s/.test(document.getElementById('run-estimate').textContent));
   await page.getByRole('button', { name: 'Start' }).click();
-  await reported(page, 60000);
+  await reported(page);
   const frame = page.frameLocator('#run-page');
   await frame.locator('#verdict').waitFor();
   const data = JSON.parse(await frame.locator('#hawser-data').textContent());
@@ -64,7 +64,7 @@ test('a long run shows force and view while it is computed, the desk can be used
   await put(page, read('cases/huangjiahu.yaml').replaceAll('segment: 500 mm', 'segment: 5 mm'));
   await begin(page);
   const live = page.frameLocator('#run-page');
-  await live.locator('#figure-live').waitFor({ timeout: 60000 });
+  await live.locator('#figure-live').waitFor();
   await live.locator('canvas').first().waitFor();
   await page.waitForFunction(() => document.querySelector('#simulation progress').value > 0.01);
   await page.getByRole('button', { name: 'Back to the case' }).click();
@@ -92,7 +92,7 @@ test('a long run shows force and view while it is computed, the desk can be used
     /^Stopped at [\d.]+ s of 30 s\. Until then the winch pulled [\d.]+\sk?N at most, at [\d.]+ s\. .* no verdict of the whole/,
   );
   // the report of what was computed until then, which ended up with none before
-  await reported(page, 60000);
+  await reported(page);
   await live.locator('#verdict').waitFor();
   const [run] = JSON.parse(await live.locator('#hawser-data').textContent()).runs;
   assert.match(run.summary.verdict, /^NOT TRUSTED: the run ended at [-\d.e]+ s of 30 s/);
@@ -124,7 +124,7 @@ test('Simulate by day and by night, on a narrow screen and in three languages, b
     assert.equal(await page.locator('#run-page').isVisible(), false);
     await good('before');
     await page.getByRole('button', { name: 'Start', exact: true }).click();
-    await reported(page, 60000);
+    await reported(page);
     await good('behind');
     const box = await page.locator('#run-page').boundingBox();
     assert.ok(box.height > 600, `the report is ${box.height} px high`);

@@ -38,8 +38,6 @@ async function simulated(page) {
     () =>
       document.getElementById('run-page').srcdoc.includes('hawser-data') &&
       !document.querySelector('progress:not([hidden])'),
-    null,
-    { timeout: 120000 },
   );
   const html = await frame.getAttribute('srcdoc');
   const text = /id="hawser-data">([^]*?)<\/script>/.exec(html)[1];
