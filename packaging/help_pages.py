@@ -111,7 +111,7 @@ def cell(text):
 
 def reference(commands, helps):
     """Every command with its options as tables, in Markdown."""
-    page = ["# Commands\n\nMade from `hawser COMMAND --help`. `hawser --version` prints the version.\n"]
+    page = ["# Commands\n\nThis page is made from `hawser COMMAND --help`. `hawser --version` prints the version.\n"]
     for h in helps:
         page.append(f"\n## {h.name}\n\n{commands[h.name][:1].upper() + commands[h.name][1:]}.\n\n```\n{h.usage}\n```\n")
         page.extend(f"\n{paragraph}\n" for paragraph in h.before)

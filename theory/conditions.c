@@ -281,13 +281,54 @@ hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
 static const struct {
     const char *name, *unit;
 } kinds[] = {
-    [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, /* of theory: the cable is supported from below and laterally */
-    [HAWSER_CONDITION_FRICTION] = {"friction", "1"},   /* of theory: no surface has more friction than assumed */
-    [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       /* of theory: the medium resists little */
-    [HAWSER_CONDITION_DRIVE] = {"drive", "1"},         /* of theory: machines act as theory assumes */
-    [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       /* of theory: the cable is in tension everywhere */
-    [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"}, /* of theory: bending stiffness breaks no limit */
-    [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},     /* cables do not lie inside each other */
+    /* of theory: the cable is supported from below and laterally
+     * Holds if: something carries the cable (sag at most a tenth of the length, (T29)), holds it down (uplift at most
+     * 2 m, (T31)) and sideways ((T30)).
+     * Fails because: nothing carries the cable over a stretch, it can fall sideways off its support, or it rises more
+     * than 2 m off it in a sag.
+     * Remedy: add rollers, ducts or hold-downs at the named place; give `friction` if the case is for the calculation
+     * alone.
+     */
+    [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"},
+    /* of theory: no surface has more friction than assumed
+     * Holds if: no row, roller, plane or `drive.script` has more friction than `friction.mu`.
+     * Fails because: one has more than the value that the calculation takes.
+     * Remedy: give the larger value as `friction.mu`, or per stretch in `theory.stretches`.
+     */
+    [HAWSER_CONDITION_FRICTION] = {"friction", "1"},
+    /* of theory: the medium resists little
+     * Holds if: a fluid changes the cable's load by at most 2 %.
+     * Fails because: it lifts or moves the cable by more.
+     * Remedy: simulate: a calculation knows no fluid.
+     */
+    [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},
+    /* of theory: machines act as theory assumes
+     * Holds if: no commands, jams or motors weaken a machine, and no limit holds only because belts of the winch's own
+     * speed take a share.
+     * Fails because: the script, a jam or a conveyor does something that the calculation does not know.
+     * Remedy: simulate, or remove it from the case.
+     */
+    [HAWSER_CONDITION_DRIVE] = {"drive", "1"},
+    /* of theory: the cable is in tension everywhere
+     * Holds if: the cable is in tension, except where machines push it.
+     * Fails because: the cable is pushed, not pulled, at the named place.
+     * Remedy: give the named brake or back tension, or pull from the other end.
+     */
+    [HAWSER_CONDITION_PULLED] = {"pulled", "N"},
+    /* of theory: bending stiffness breaks no limit
+     * Holds if: the force of bending stiffness (T32) is less than the limits have left.
+     * Fails because: the stiffness takes more.
+     * Remedy: simulate.
+     */
+    [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"},
+    /* cables do not lie inside each other
+     * Holds if: in a simulation cables lie inside each other by at most 0.25 of both radii (not with `run.overlap:
+     * ignore`); in a calculation the route does not cross itself at one level.
+     * Fails because: nothing keeps the cables apart.
+     * Remedy: `contact.cable_on_cable: true`, or `contact.between_chains: true`; lead one stretch of the route above
+     * the other.
+     */
+    [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},
 };
 
 hawser_condition theory_condition(hawser_condition_kind kind, double value, double allowed)

@@ -1,5 +1,5 @@
 /* Certificates: show whether the figures of a run hold when it is computed again with finer settings; part of
- * hawser/hawser.h, which includes it. docs/reference/limits.md, "Certify", explains what is refined and what the
+ * hawser/hawser.h, which includes it. docs/guide/simulate.md, "Certify", explains what is refined and what the
  * numbers mean. */
 #ifndef HAWSER_CERTIFY_H
 #define HAWSER_CERTIFY_H

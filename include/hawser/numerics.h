@@ -26,7 +26,7 @@ typedef struct hawser_pass {
     double wall_time_s;
 } hawser_pass;
 
-/* Finer passes of a run: the reason for them, or for their absence (docs/reference/limits.md, "Finer passes"). */
+/* Finer passes of a run: the reason for them, or for their absence (docs/guide/simulate.md, "Passes"). */
 typedef struct hawser_passes {
     /* "replaced": figures are the last pass's; "compared": the first's, with the case's own settings and error bounds
      * from all passes; "failed", "declined": the first's alone */

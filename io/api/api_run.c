@@ -459,7 +459,7 @@ hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress prog
 }
 
 /* A whole run: one pass, and up to two more with finer settings where only numerical errors leave the verdict open.
- * docs/theory.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); docs/reference/limits.md has what users need. */
+ * docs/theory.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); docs/guide/simulate.md has what users need. */
 
 /* Growth of evaluations times segments from one pass to the next (median of 341 random pulls; 4.2 in 95 % of them). */
 static const double GROWS = 3.1;

@@ -600,8 +600,8 @@ static const Column summary_column[] = {
     {COLUMN("pull_force.peak_N", NUMBER, Summary, s.pull_peak_N)},
     /* RMS deviation from the mean in the window */
     {COLUMN("pull_force.steady_ripple_rms_N", NUMBER, Summary, s.pull_ripple_N)},
-    /* [error bound](limits.md#error-bars) of the mean; null before the steady window, and if it is as large as
-     * the figure */
+    /* [error bound](../guide/simulate.md#error-bounds) of the mean; null before the steady window, and if it is as
+     * large as the figure */
     {COLUMN("pull_force.steady_mean_error", ROW, Summary, s.pull_mean_error), .of = &bar_columns},
     /* error bound of the peak; null if it is as large as the figure */
     {COLUMN("pull_force.peak_error", ROW, Summary, s.pull_peak_error), .of = &bar_columns},
@@ -669,7 +669,7 @@ static const Column summary_column[] = {
     {COLUMN("verdict", CHARS, Summary, verdict)},
     /* its word: `safe`, `safe_if`, `not_safe`, `not_judged`, `not_trusted`; only `safe` is safe */
     {COLUMN("verdict_code", TEXT, Summary, code)},
-    /* [finer passes](limits.md#finer-passes), or why there was none; absent if the first pass was enough */
+    /* [finer passes](../guide/simulate.md#passes), or why there was none; absent if the first pass was enough */
     {COLUMN("passes", OBJECT, Summary, s.passes), .of = &passes_columns},
     /* force at which the winch should trip: the largest allowed overload times the theoretical force, or less by
      * cable, eye, rope and winch; null without limits */

@@ -1,4 +1,4 @@
-"""Certificates: whether the figures of a run hold when it is computed again with finer settings (docs/reference/limits.md, "Certify")."""
+"""Certificates: whether the figures of a run hold when it is computed again with finer settings (docs/guide/simulate.md, "Certify")."""
 from __future__ import annotations
 
 import json

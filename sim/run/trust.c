@@ -274,32 +274,163 @@ typedef struct List {
 static const struct {
     const char *name, *unit;
 } kinds[] = {
-    [HAWSER_CONDITION_FINISHED] = {"finished", "s"},           /* the run reached its end */
-    [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"}, /* the run reached the steady window */
-    [HAWSER_CONDITION_EQUILIBRIUM] =
-        {"equilibrium", "N"}, /* the cable came to rest before t = 0; of positions, each is in equilibrium */
-    [HAWSER_CONDITION_TAUT] = {"taut", "1"},                           /* of positions, nothing is in compression */
-    [HAWSER_CONDITION_STABLE] = {"stable", "1"},                       /* the equilibrium is stable */
-    [HAWSER_CONDITION_ENERGY] = {"energy", "1"},                       /* the balance of energy closes */
-    [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},                   /* the balance of momentum closes */
-    [HAWSER_CONDITION_NUMERICAL_DAMPING] = {"numerical_damping", "1"}, /* steps in time take little of the motion */
-    [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},                   /* the cable stays near the route */
-    [HAWSER_CONDITION_PASSED] = {"passed", "1"},                       /* no segment passes through a support */
-    [HAWSER_CONDITION_START] = {"start", "N"},                         /* the chain does not begin inside a support */
-    [HAWSER_CONDITION_EDGE] = {"edge", "1"},                       /* the cable does not rest at the edge of a roller */
-    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},         /* neither head nor joints have turned over */
-    [HAWSER_CONDITION_MESH] = {"mesh", "1"},                       /* segments are short enough */
-    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"},   /* the pull is fast enough for full friction */
-    [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"}, /* error bound of the mean pull */
-    [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},   /* error bound of the largest pull */
-    [HAWSER_CONDITION_DECIDED] = {"decided", "1"},       /* limits hold by more than their figures may be off */
-    [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},         /* the cable does not push the winch */
-    [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},           /* the cable moves in the steady window */
-    [HAWSER_CONDITION_SHARED] = {"shared", "1"},         /* how belt and winch share the pull is determined */
-    [HAWSER_CONDITION_STEADY] = {"steady", "1"},         /* the pull is even over the steady window */
-    [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"}, /* the largest pull is not the jolt of the start */
-    [HAWSER_CONDITION_PEAK] = {"peak", "1"},             /* the largest pull is not a single spike */
-    [HAWSER_CONDITION_WAVES] = {"waves", "1"},           /* segments resolve the waves of a cable in compression */
+    /* the run reached its end
+     * Holds if: the run reaches its end.
+     * Fails because: the run stopped before its end.
+     * Remedy: read the message of the stop; [simulate](../guide/simulate.md#when-it-fails).
+     */
+    [HAWSER_CONDITION_FINISHED] = {"finished", "s"},
+    /* the cable came to rest before t = 0; of positions, each is in equilibrium
+     * Holds if: the largest unbalanced force before t = 0, or of a position, is within the relaxation's tolerance; not
+     * with `solver.relax: false`.
+     * Fails because: no position of rest was found.
+     * Remedy: give supports or a back tension; `solver.relax: false` where friction alone holds the cable.
+     */
+    [HAWSER_CONDITION_EQUILIBRIUM] = {"equilibrium", "N"},
+    /* the chain does not begin inside a support
+     * Holds if: with `solver.relax: false`: no roller or surface bears more at t = 0 than all weights and pulls
+     * together.
+     * Fails because: the cable begins inside a roller or a wall.
+     * Remedy: shorter segments, as the line states.
+     */
+    [HAWSER_CONDITION_START] = {"start", "N"},
+    /* the cable does not rest at the edge of a roller
+     * Holds if: at rest the cable lies within 0.7 of half the width of a flat roller.
+     * Fails because: the cable rests at the edge.
+     * Remedy: add guides, or wider rollers.
+     */
+    [HAWSER_CONDITION_EDGE] = {"edge", "1"},
+    /* the cable stays near the route
+     * Holds if: the cable stays within 2 m of its route; otherwise the simulation ends with status 3
+     * (`run.keep_going`).
+     * Fails because: the cable fell or swung off.
+     * Remedy: add guides, hold-downs or a brake at the place.
+     */
+    [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},
+    /* no segment passes through a support
+     * Holds if: the cable goes through no roller or surface.
+     * Fails because: segments are long, or contacts soft.
+     * Remedy: shorter segments, a stiffer contact, guides.
+     */
+    [HAWSER_CONDITION_PASSED] = {"passed", "1"},
+    /* neither head nor joints have turned over
+     * Holds if: no joint turns by more than 150 deg (found: 1), no head on `grip: axial` by more than 30 deg (2); 3 is
+     * both.
+     * Fails because: a joint or the head has turned over.
+     * Remedy: a swivel, guides, or `grip: clamp`.
+     */
+    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},
+    /* the cable does not push the winch
+     * Holds if: the cable pushes the winch with at most a hundredth of the largest pull, in the mean.
+     * Fails because: it runs away, or its start has jammed it.
+     * Remedy: a brake or more back tension.
+     */
+    [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},
+    /* the cable moves in the steady window
+     * Holds if: the cable's mean speed is at least 0.1 % of the winch's.
+     * Fails because: the cable stands in the steady window.
+     * Remedy: a stronger winch, or a window while it pulls.
+     */
+    [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},
+    /* of positions, nothing is in compression
+     * Holds if: at a position the largest compression is at most 0.01 of the largest tension; in a run a straight line
+     * that nothing disturbs bears at most 0.7 of the load at which it buckles.
+     * Fails because: the cable is pushed.
+     * Remedy: a back tension or a brake; a dynamic run.
+     */
+    [HAWSER_CONDITION_TAUT] = {"taut", "1"},
+    /* the equilibrium is stable
+     * Holds if: no motion grows at the last equilibrium of a rod ([rods](../guide/rods.md#stability)).
+     * Fails because: the equilibrium would not stay.
+     * Remedy: see the critical loads.
+     */
+    [HAWSER_CONDITION_STABLE] = {"stable", "1"},
+    /* segments resolve the waves of a cable in compression
+     * Holds if: segments are at most 0.15 of the half wave of buckling ([BK10](../theory/60-theory.md#compression)).
+     * Fails because: segments are too long for the snakes of a pushed cable.
+     * Remedy: the named segment length.
+     */
+    [HAWSER_CONDITION_WAVES] = {"waves", "1"},
+    /* the run reached the steady window
+     * Holds if: the window for means begins before the run's end.
+     * Fails because: the window was never reached.
+     * Remedy: a smaller `run.steady_from`, or a longer run.
+     */
+    [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"},
+    /* the pull is even over the steady window
+     * Holds if: the mean pull changes by at most 5 % between the window's halves, beyond the change of theory.
+     * Fails because: the pull has not settled.
+     * Remedy: `run.steady_from` after it has settled, `run.duration` longer.
+     */
+    [HAWSER_CONDITION_STEADY] = {"steady", "1"},
+    /* the largest pull is not the jolt of the start
+     * Holds if: the largest pull of the first moments is at most the largest later one.
+     * Fails because: the peak is the jolt of the first moment.
+     * Remedy: a slower start: `drive.winch.to`, `ramp: step`; `solver.relax: true`.
+     */
+    [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"},
+    /* the largest pull is not a single spike
+     * Holds if: the largest pull is at most 20 % above its neighbouring rows.
+     * Fails because: one spike stands out.
+     * Remedy: smaller `output.interval`, a slower start, `solver.accuracy` smaller.
+     */
+    [HAWSER_CONDITION_PEAK] = {"peak", "1"},
+    /* the pull is fast enough for full friction
+     * Holds if: the pull is faster than the speed at which friction is complete.
+     * Fails because: the pull is too slow for the friction law's `v_s`.
+     * Remedy: the named `v_s` smaller, or `friction.law: stick`.
+     */
+    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"},
+    /* how belt and winch share the pull is determined
+     * Holds if: 0.1 mm of cable moves at most 2 % of the pull between the winch and a conveyor of the same speed, or
+     * between two conveyors.
+     * Fails because: nothing but lengths decides how they share the force.
+     * Remedy: give the conveyor a `limit` that it reaches, or a `factor` other than 1.
+     */
+    [HAWSER_CONDITION_SHARED] = {"shared", "1"},
+    /* segments are short enough
+     * Holds if: the segments' length adds an expected 2 % to the pull at most ([length of
+     * segments](../theory/12-mesh.md)).
+     * Fails because: segments are too long for a bend, a duct or a span.
+     * Remedy: `chain.segment: auto`.
+     */
+    [HAWSER_CONDITION_MESH] = {"mesh", "1"},
+    /* the balance of energy closes
+     * Holds if: the balance of energy closes within 1 % ([balances](../theory/87-balances.md)).
+     * Fails because: time steps are too long.
+     * Remedy: `solver.accuracy` smaller by a factor of 4.
+     */
+    [HAWSER_CONDITION_ENERGY] = {"energy", "1"},
+    /* the balance of momentum closes
+     * Holds if: the balance of momentum closes within 1 %.
+     * Fails because: as for `energy`.
+     * Remedy: as for `energy`.
+     */
+    [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},
+    /* steps in time take little of the motion
+     * Holds if: time steps take at most 1 % of the motion's energy.
+     * Fails because: time steps damp the motion.
+     * Remedy: the named `solver.accuracy`.
+     */
+    [HAWSER_CONDITION_NUMERICAL_DAMPING] = {"numerical_damping", "1"},
+    /* error bound of the mean pull
+     * Holds if: the error bound of the mean pull is at most 2 %.
+     * Fails because: the line names the largest part of the bound.
+     * Remedy: what the line names: accuracy, segments or `v_s`; allow more passes (`solver.passes`).
+     */
+    [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"},
+    /* error bound of the largest pull
+     * Holds if: the error bound of the largest pull is at most 10 %.
+     * Fails because: as for `numerical_error`.
+     * Remedy: as for `numerical_error`.
+     */
+    [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},
+    /* limits hold by more than their figures may be off
+     * Holds if: each limit that holds does so with the error bound added to its value.
+     * Fails because: a limit holds by less than its figure may be off.
+     * Remedy: more passes, finer settings, or a larger margin.
+     */
+    [HAWSER_CONDITION_DECIDED] = {"decided", "1"},
 };
 
 const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }

@@ -1,8 +1,10 @@
 """The language of documents written by hand: short sentences, and the glossary's terms.
 
 Usage: check_style.py ROOT [FILE...]     (FILE: only these, with their figures)
+       check_style.py ROOT --words       (prints the words of the whole and of each page, the largest first)
 Sentences have at most 30 words, on average 18 in a document. Words of code and of tables do not count. Words that
-docs/glossary.md replaces do not occur.
+docs/glossary.md replaces do not occur. README and docs/ have at most 70 000 words in all, tables and code included. Pages that a
+script makes, as their first lines say, do not count, nor what scripts write between markers, nor the glossary and the examples.
 """
 import glob
 import os
@@ -13,9 +15,10 @@ import tree
 
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "docs/*.md", "docs/guide/*.md", "docs/theory/*.md", "docs/reference/*.md",
              "bench/README.md")
-GENERATED = {"docs/validation-tables.md", "docs/reference/case-keys.md", "docs/reference/codes.md", "docs/reference/columns.md",
-             "docs/reference/commands.md", "docs/reference/study-keys.md"}
-LONGEST, MEAN = 30, 18
+GENERATED = "This page is made"  # within a page's first paragraphs
+MARKED = re.compile(r"<!-- (.*?): begin -->.*?<!-- \1: end -->", re.S)
+APART = {"docs/glossary.md", "docs/examples.md"}
+LONGEST, MEAN, WORDS = 30, 18, 70000
 # What grew in the house, and the term for it: only what is nothing else in ordinary English.
 TERMS = {r"\bbunch(es)?\b": "chains", r"\bborne\b": "carried, supported", r"\bturners?\b": "bend", r"\bleaf bod(y|ies)\b": "condensed bodies",
          r"\b(is|are) (told|asked|wanted|looked at)\b": "given, required, requested, inspected", r"\bon the site\b": "at the works",
@@ -41,10 +44,22 @@ def sentences(text):
     return found
 
 
+def pages(root):
+    """{path: text} of the documents that people write."""
+    names = sorted({os.path.relpath(p, root) for pattern in DOCUMENTS for p in glob.glob(os.path.join(root, pattern))})
+    texts = {name: tree.read(root, name) for name in names}
+    return {name: text for name, text in texts.items() if GENERATED not in text.split("\n## ")[0]}
+
+
+def counted(texts):
+    """[(words, path)] of those that count, the largest first."""
+    return sorted(((len(MARKED.sub("", text).split()), name) for name, text in texts.items()
+                   if name == "README.md" or name.startswith("docs/") and name not in APART), reverse=True)
+
+
 def check(root, names=()):
-    complaints = []
-    for name in names or sorted({os.path.relpath(p, root) for pattern in DOCUMENTS for p in glob.glob(os.path.join(root, pattern))} - GENERATED):
-        text = tree.read(root, name)
+    complaints, texts = [], {name: tree.read(root, name) for name in names} or pages(root)
+    for name, text in texts.items():
         all_of = sentences(text)
         complaints += [f"{name}:{line}: a sentence of {len(words)} words: {' '.join(words[:8])} ..." for line, words, _ in all_of if len(words) > LONGEST]
         mean = sum(len(words) for _, words, _ in all_of) / max(1, len(all_of))
@@ -57,5 +72,14 @@ def check(root, names=()):
     return complaints
 
 
+def main():
+    root, names = sys.argv[1], sys.argv[2:]
+    if names == ["--words"]:
+        found = counted(pages(root))
+        print("\n".join(f"{n:6} {name}" for n, name in [(sum(n for n, _ in found), "all"), *found]))
+        return 0
+    return tree.report("style", check(root, names))
+
+
 if __name__ == "__main__":
-    sys.exit(tree.report("style", check(sys.argv[1], sys.argv[2:])))
+    sys.exit(main())

@@ -216,7 +216,11 @@ class Style(unittest.TestCase):
         long = "Word " * 31 + "end.\n"
         self.assertEqual([], self.check("docs/theory/a.md", "A short sentence.\n"))
         self.assertIn("a sentence of 32 words", self.check("docs/theory/a.md", long)[0])
-        self.assertEqual([], self.check("docs/reference/columns.md", long))
+        self.assertEqual([], self.check("docs/reference/columns.md", f"# Columns\n\nThis page is made from tables.\n\n## A\n\n{long}"))
+
+    def test_words_that_count(self):
+        texts = {"README.md": "one two\n<!-- t: begin -->\n\n| 3 |\n\n<!-- t: end -->\n", "docs/a.md": "1 2 3", "docs/glossary.md": "4", "SECURITY.md": "5"}
+        self.assertEqual([(3, "docs/a.md"), (2, "README.md")], check_style.counted(texts))
 
     def test_terms(self):
         self.assertIn("write given", self.check("bench/README.md", "The program is told a length.\n")[0])

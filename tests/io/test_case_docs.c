@@ -140,7 +140,8 @@ TEST(the_reference_of_keys_is_current)
                     "Every section of a case with its keys; [case files](../case-format.md) explains values and "
                     "settings, [units](#units) are below. "
                     "In the\nheadings NAME stands for a name that you choose and N for an item's number in its list. "
-                    "\"Default\" is the meaning of\nan absent key; \"allowed\" is checked.\n");
+                    "\"Default\" is the meaning of\nan absent key; \"allowed\" is checked. This page is made from the "
+                    "program's tables.\n");
     for (const CaseSection **s = all; s < all + n; s++) {
         heading(*s, row);
         page_add(&page, "\n#%s\n\n", row + 2);

@@ -130,7 +130,8 @@ TEST(the_table_is_documented)
         "# Values of codes and makers\n\nWhat limits allow where the case does not say it, by `limits.code`. "
         "Where a code has no value the\nusual one is taken, and the limit's source says so. Known: *read* in a "
         "public text of the source itself;\n*quoted* by somebody else (TB 889 by planners; ICEA by guides of IEWC "
-        "and Southwire; VDE by Nexans; the NEC's\ntable); *not verified*: found in no public text.\n\n"
+        "and Southwire; VDE by Nexans; the NEC's\ntable); *not verified*: found in no public text. This page is made "
+        "from the tables of `def/limits.c`.\n\n"
         "| limit | code | of | value | clause | known |\n|---|---|---|---:|---|---|\n");
     for (size_t i = 0; code_row(i, &rule); ++i) {
         table_row(&rule, table + n, sizeof table - n);

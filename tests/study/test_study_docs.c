@@ -42,7 +42,8 @@ TEST(the_reference_of_study_keys_is_current)
           "and N "
           "for an item's number in its list. \"Default\" is the meaning of an\nabsent key; \"allowed\" is checked. A "
           "parameter has one of the keys beside `key`: a law; in a grid `values` or\n`steps`; in a search `range`, "
-          "`whole`, `values` or `steps`; with a `list` none.\n",
+          "`whole`, `values` or `steps`; with a `list` none. This page is made from the "
+          "program's tables.\n",
           f);
     for (int i = 0; i < n; i++) {
         fprintf(f, *all[i]->path ? "\n## `%s`\n" : "\n## The whole file\n%s", all[i]->path);
