@@ -1,7 +1,7 @@
 /* Converts text to rows of numbers: separators, heads, units, decimal commas, and lines that are not rows of the table.
  */
 #define _GNU_SOURCE /* strcasestr */
-/* Heads of columns: their meaning in six languages, their unit, and whether an unknown head resembles a known one. */
+/* Heads of columns: their meaning in six languages, and their unit. */
 #include "survey/table.h"
 
 #include <ctype.h>
@@ -85,7 +85,7 @@ static const char idle_words[] = " segment section piece straight part leg route
                                  "koordinate coordenada coordonnee coordinata of the de del der du la le di design "
                                  "nominal bend curve abschnitt in en ";
 
-/* Columns unrelated to the route, although their heads have letters of a route's, or numbers that may follow it. */
+/* Columns unrelated to the route although they may have numbers. */
 static const char unrelated[] =
     " gravitycenterlineheight date datum fecha data time zeit heure hora uhrzeit gpstime timestamp sheet page blatt "
     "seite cost price kosten preis cout prix costo coste precio prezzo no nr num number index count fid oid "
@@ -95,69 +95,6 @@ static const char unrelated[] =
     "durchmesser pulltension status drawing revision rev zone layername color colour "
     "speed quality hdop vdop pdop accuracy sd sigma "
     "\xE5\xBA\x8F\xE5\x8F\xB7 \xE5\xA4\x87\xE6\xB3\xA8 \xE6\x97\xA5\xE6\x9C\x9F ";
-
-/* Parts of words by which a head resembles one of a route. */
-static const char *const stems[] = {"length",
-                                    "laenge",
-                                    "longueur",
-                                    "lunghez",
-                                    "longitud",
-                                    "distan",
-                                    "entfern",
-                                    "chainage",
-                                    "station",
-                                    "slope",
-                                    "grade",
-                                    "gradi",
-                                    "gefaell",
-                                    "steigung",
-                                    "neigung",
-                                    "inclin",
-                                    "pente",
-                                    "pendi",
-                                    "penden",
-                                    "bearing",
-                                    "azimu",
-                                    "acimu",
-                                    "direction",
-                                    "direcci",
-                                    "direzion",
-                                    "richtung",
-                                    "heading",
-                                    "gisement",
-                                    "rumbo",
-                                    "radius",
-                                    "radii",
-                                    "raggio",
-                                    "rayon",
-                                    "angle",
-                                    "angul",
-                                    "angol",
-                                    "winkel",
-                                    "deflec",
-                                    "easting",
-                                    "northing",
-                                    "rechtsw",
-                                    "hochw",
-                                    "elevat",
-                                    "altit",
-                                    "height",
-                                    "hoehe",
-                                    "haute",
-                                    "latit",
-                                    "longit",
-                                    "curvat",
-                                    "coord",
-                                    "koord",
-                                    "\xE9\x95\xBF",
-                                    "\xE8\xA7\x92",
-                                    "\xE5\x8D\x8A\xE5\xBE\x84",
-                                    "\xE5\x9D\xA1",
-                                    "\xE9\xAB\x98\xE7\xA8\x8B",
-                                    "\xE6\x96\xB9\xE4\xBD\x8D",
-                                    "\xE6\xA1\xA9\xE5\x8F\xB7",
-                                    "\xE9\x87\x8C\xE7\xA8\x8B",
-                                    "\xE5\x9D\x90\xE6\xA0\x87"};
 
 static const TableUnit units[] = {{"m", 1, UNIT_LENGTH},
                                   {"mm", 1e-3, UNIT_LENGTH},
@@ -333,8 +270,6 @@ TableHead head_read(const char *text)
     head.north = head.meaning == COLUMN_HEADING && strstr(heads[which].names, "bearing") != NULL;
     head_letters(text, letters);
     if (head.meaning == TABLE_COLUMNS && is_among(unrelated, letters)) head.unrelated = 1;
-    for (size_t i = 0; i < sizeof stems / sizeof *stems && head.meaning == TABLE_COLUMNS && !head.unrelated; ++i)
-        head.resembles |= strstr(letters, stems[i]) != NULL;
     return head;
 }
 
@@ -634,7 +569,7 @@ static hawser_status head_take(SurveyInput *in, Column *column, const char *name
     TableHead head = head_read(name);
     column->name = name;
     column->ignored = is_ignored(in, name);
-    if (column->ignored) head.meaning = TABLE_COLUMNS, head.resembles = 0, head.unrelated = 1;
+    if (column->ignored) head.meaning = TABLE_COLUMNS, head.unrelated = 1;
     const TableColumn c = head.meaning;
     column->head = head;
     column->factor = head.unit ? head.unit->factor : usual_factor(in, c);
@@ -1125,94 +1060,37 @@ static hawser_status row_read(SurveyInput *in, Columns *columns, int n, char *ce
 
 /* ---------------------------------------------------------------------------------------------- unused columns */
 
-/* Comparison of a column without a meaning with the route: numbers that follow the route belong to it. */
-typedef struct Follower {
-    int n, whole;            /* numbers; all are integers */
-    double last, sum, worst; /* the last, of the route so far, the largest step over the distance between */
-    double first;
-    int rises, steps; /* all rise; number of steps */
-    double way;       /* m between the first and the last row, by x and y or lengths */
-    double off;       /* largest difference from the distance so far, m */
-} Follower;
-
-/* Distance from row i - 1 to row i, m; NAN: the table does not give it. */
-static double way_between(const Table *t, int i)
+/* Handles columns without a meaning: refuses those with numbers, which may be a part of the route or a property of its
+ * pieces, and reports the others as unused. */
+static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *columns, int from, const char *is_row)
 {
-    const double *const v = t->row[i].value, *const was = t->row[i - 1].value;
-    if (t->has[COLUMN_X] && t->has[COLUMN_Y]) return hypot(v[COLUMN_X] - was[COLUMN_X], v[COLUMN_Y] - was[COLUMN_Y]);
-    return t->has[COLUMN_LENGTH] ? was[COLUMN_LENGTH] : NAN;
-}
-
-/* Checks whether a column without a meaning contains the distance along the route, or changes little from point to
- * point as a height does. */
-static int follows(const Table *t, const Follower *f)
-{
-    const int all = f->n == t->n && f->n >= 3;
-    const double part = 0.02, least = 0.5;
-    if (!all || !(f->way > 0)) return 0;
-    if (f->off < least + part * f->way) return 1;
-    return t->has[COLUMN_X] && t->has[COLUMN_Y] && !f->whole && f->worst > 0 && f->worst < 0.5;
-}
-
-static void follow(const Table *t, int i, double value, Follower *f)
-{
-    if (f->n == 0) f->first = value;
-    if (f->n > 0 && i > 0) {
-        const double way = way_between(t, i), step = fabs(value - f->last);
-        f->way += way;
-        f->worst = fmax(f->worst, step / fmax(way, 1e-9));
-        f->off = fmax(f->off, fabs(value - f->first - f->way));
-    }
-    f->whole = (f->n == 0 || f->whole) && value == floor(value);
-    f->last = value;
-    f->n++;
-}
-
-/* Handles columns without a meaning: refuses those that look like a part of the route, and reports the others as
- * unused. */
-static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *columns, const Table *table, int from,
-                                 const char *is_row)
-{
-    char *cell[CELLS_MOST];
-    Follower *const f = calloc(CELLS_MOST, sizeof *f);
-    if (!f) return error_memory(in->err);
-    for (int i = from, k = 0; i < lines->n; ++i) {
-        if (!is_row[i]) continue;
-        const int n = row_split(in, lines, i, columns->separator, columns, cell);
+    char *cell[CELLS_MOST], what[SURVEY_NAME_MAX], all[300] = "";
+    for (int i = from; i < lines->n; ++i) {
+        const int n = is_row[i] ? row_split(in, lines, i, columns->separator, columns, cell) : 0;
         for (int c = 0; c < n && c < columns->n; ++c) {
-            Column *const column = &columns->column[c];
-            char plain[80];
-            double value;
-            if (column->head.meaning != TABLE_COLUMNS || !*cell[c]) continue;
-            column->rows++;
-            column->numbers += begins_number(cell[c]);
-            if (number_plain(columns->separator, cell[c], plain, sizeof plain) && input_number_whole(in, plain, &value))
-                follow(table, k, value, &f[c]);
+            columns->column[c].rows += *cell[c] != 0;
+            columns->column[c].numbers += begins_number(cell[c]);
         }
-        ++k;
     }
-    hawser_status status = HAWSER_OK;
-    for (int c = 0; c < columns->n && !status; ++c) {
+    for (int c = 0; c < columns->n; ++c) {
         const Column *const column = &columns->column[c];
-        const TableHead *const head = &column->head;
-        char what[SURVEY_NAME_MAX];
-        if (head->meaning != TABLE_COLUMNS || column->ignored || (!*column->name && column->rows == 0)) continue;
-        const int like = !head->unrelated && !in->options.marks &&
-                         ((head->resembles && column->numbers > 0) || follows(table, &f[c]) ||
-                          (!*column->name && column->numbers > 0));
-        in->line = 0;
-        if (like)
-            status = input_error(
-                in,
-                "column %d, '%.60s', has numbers that look like a part of the route, and its head is not known: "
-                "expected length, angle, radius, turn, slope, x, y, z, station, direction or bearing; what is not part "
-                "of it is named in 'ignore'",
-                c + 1, column->name);
+        if (column->head.meaning != TABLE_COLUMNS || column->ignored || (!*column->name && column->rows == 0)) continue;
+        if (column->numbers && !column->head.unrelated && !in->options.marks) {
+            if (strlen(all) < 200)
+                snprintf(all + strlen(all), sizeof all - strlen(all), "%s%d '%.40s'", *all ? ", " : "", c + 1,
+                         column->name);
+            continue;
+        }
         snprintf(what, sizeof what, "column '%.60s'", column->name);
-        if (!status) survey_ignore(in->out, what);
+        survey_ignore(in->out, what);
     }
-    free(f);
-    return status;
+    in->line = 0;
+    if (!*all) return HAWSER_OK;
+    return input_error(
+        in,
+        "columns with numbers whose head is not known: %s; expected length, angle, radius, turn, slope, x, "
+        "y, z, station, direction or bearing; what is not part of the route is named in 'ignore'",
+        all);
 }
 
 /* Checks that names to ignore are names of columns. */
@@ -1308,7 +1186,7 @@ hawser_status table_rows(SurveyInput *in, Table *table)
     if (!status) status = rows_take(in, &lines, columns, table, from, is_row);
     if (!status && table->n == 0)
         status = input_error(in, "no rows: expected a line of column names and rows below it");
-    if (!status) status = unknown_say(in, &lines, columns, table, from, is_row);
+    if (!status) status = unknown_say(in, &lines, columns, from, is_row);
     if (columns) free(columns->text), free(columns->work);
     free(columns);
     free(is_row);

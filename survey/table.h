@@ -82,7 +82,6 @@ typedef struct TableHead {
     const TableUnit *unit; /* NULL: none */
     int strange;           /* it has an unknown unit */
     int plan, north;       /* of lengths: in plan; of headings: clockwise from north */
-    int resembles;         /* without a meaning, but similar to one that has one */
     int unrelated;         /* without a meaning, known to be unrelated to the route */
 } TableHead;
 

@@ -76,12 +76,15 @@ TEST(slopes_are_not_dropped)
     bad("Length,Gef\xC3\xA4lle %\n300,2\n", "positive down or up");
     bad("Station,Quergef\xC3\xA4lle %\n0,2\n100,2\n", "cant does not define a line");
     bad("StartDistAlong,HorizontalLength,StartCantLeft,EndCantLeft\n0,100,0,0.1\n", "cant does not define");
-    bad("length,my gradient x\n300,20\n100,0\n", "column 2, 'my gradient x', has numbers that look like");
-    bad("length,climb angle %\n300,20\n", "'climb angle %', has numbers");
+    bad("length,my gradient x\n300,20\n100,0\n", "head is not known: 2 'my gradient x'; expected");
+    bad("length,climb angle %\n300,20\n", "not known: 2 'climb angle %'");
     bad("length,angle,radius,turn,bearing\n300,,,,90\n,90,10,left,\n", "a column 'direction' in a table of pieces");
-    bad("x,y,Hoogte\n0,0,1.5\n100,0,12.25\n200,0,3.5\n", "column 3, 'Hoogte'"); /* heights without a known head */
-    bad("x,y,run\n0,0,0\n100,0,100\n200,0,200\n", "column 3, 'run'");
-    bad("length,\n300,20\n100,0\n", "column 2, ''");
+    bad("x,y,Hoogte\n0,0,1.5\n100,0,12.25\n200,0,3.5\n", "not known: 3 'Hoogte'"); /* heights without a known head */
+    bad("x,y,run\n0,0,0\n100,0,100\n200,0,200\n", "not known: 3 'run'");
+    bad("length,\n300,20\n100,0\n", "not known: 2 ''");
+    /* a property of the pieces was left out: the theory took the duct's friction, and said nothing */
+    bad("length,angle,radius,friction,voltage\n100,,,0.3,110\n,45,6,0.25,110\n",
+        "columns with numbers whose head is not known: 4 'friction', 5 'voltage'; expected length");
 }
 
 /* What is no part of a route is said to be unused, and can be silenced. */
