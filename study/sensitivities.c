@@ -40,11 +40,17 @@ typedef struct SlopeRow {
 } SlopeRow;
 
 static const Column slope_column[] = {
+    /* pull, tension at a station, or load of a roller */
     {COLUMN("figure", CHARS, SlopeRow, figure), .label = "what"},
+    /* its value */
     {COLUMN("value_N", NUMBER, SlopeRow, value), .label = "N", .decimals = 2},
+    /* key of the case */
     {COLUMN("key", TEXT, SlopeRow, key), .label = "by"},
+    /* change of the figure in N for one more of the key's unit */
     {COLUMN("slope_N_per_unit", NUMBER, SlopeRow, slope), .label = "for one more, N", .decimals = 4},
+    /* unit of the key */
     {COLUMN("unit", TEXT, SlopeRow, unit), .label = "unit"},
+    /* change of the figure in per cent for 1 % more of the key */
     {COLUMN("share", NUMBER, SlopeRow, share), .label = "% for 1 % more", .decimals = 4},
 };
 

@@ -405,40 +405,59 @@ static hawser_status companions_run(CertifyRound *round, int n, Companion *const
 
 enum { SHOWN_MAX = 24 };
 
-#define BY_SOURCE(key_, member)                                                                                        \
-    {COLUMN(key_ ".time", NUMBER, hawser_certified, member[HAWSER_TIME])},                                             \
-    {                                                                                                                  \
-        COLUMN(key_ ".length", NUMBER, hawser_certified, member[HAWSER_LENGTH])                                        \
-    }
-
 static const Column figure_column[] = {
+    /* the figure, as in "pull, mean" */
     {COLUMN("name", CHARS, hawser_certified, name)},
+    /* its unit */
     {COLUMN("unit", TEXT, hawser_certified, unit)},
+    /* found by the run itself */
     {COLUMN("value", NUMBER, hawser_certified, value)},
+    /* error bound of the value */
     {COLUMN("bar", NUMBER, hawser_certified, run_bar)},
+    /* tolerance times the figure's size, or times `floor` where that is larger */
     {COLUMN("allowed", NUMBER, hawser_certified, allowed)},
+    /* 1: the value's bound is at most the allowed one */
     {COLUMN("holds", COUNT, hawser_certified, run_holds)},
+    /* found with the finest settings whose error was estimated */
     {COLUMN("best", NUMBER, hawser_certified, best)},
+    /* error bound of `best` */
     {COLUMN("best_bar", NUMBER, hawser_certified, bar)},
+    /* 1: this bound is at most the allowed one */
     {COLUMN("best_holds", COUNT, hawser_certified, holds)},
+    /* a smaller figure is judged as if it had this size */
     {COLUMN("floor", NUMBER, hawser_certified, floor)},
-    BY_SOURCE("refined", refined),
-    BY_SOURCE("error", error),
-    BY_SOURCE("order", order),
+    /* found with time steps, or lengths of segments, refined once more; null: they were not, or that run failed */
+    {COLUMN("refined.time", NUMBER, hawser_certified, refined[HAWSER_TIME])},
+    {COLUMN("refined.length", NUMBER, hawser_certified, refined[HAWSER_LENGTH])},
+    /* error of `best` by this source; null: not known */
+    {COLUMN("error.time", NUMBER, hawser_certified, error[HAWSER_TIME])},
+    {COLUMN("error.length", NUMBER, hawser_certified, error[HAWSER_LENGTH])},
+    /* observed order of convergence; null: fewer than three values, or no visible order */
+    {COLUMN("order.time", NUMBER, hawser_certified, order[HAWSER_TIME])},
+    {COLUMN("order.length", NUMBER, hawser_certified, order[HAWSER_LENGTH])},
 };
 
 static const Columns figure_columns = COLUMNS(hawser_certified, figure_column);
 
 static const Column run_column[] = {
+    /* how often this source is refined; 0 and 0 is the case itself */
     {COLUMN("level.time", COUNT, hawser_certify_run, level[HAWSER_TIME])},
     {COLUMN("level.length", COUNT, hawser_certify_run, level[HAWSER_LENGTH])},
+    /* `solver.accuracy` */
     {COLUMN("accuracy", NUMBER, hawser_certify_run, accuracy)},
+    /* `output.interval` */
     {COLUMN("interval_s", NUMBER, hawser_certify_run, interval_s)},
+    /* number in the whole chain */
     {COLUMN("segments", COUNT, hawser_certify_run, segments)},
+    /* `v_s` of the friction over that of the case */
     {COLUMN("friction_v_s", NUMBER, hawser_certify_run, friction)},
+    /* outcome of the run; 0 is good */
     {COLUMN("status", COUNT, hawser_certify_run, status)},
+    /* empty, or the reason why it failed */
     {COLUMN("message", CHARS, hawser_certify_run, message)},
+    /* time steps */
     {COLUMN("steps", LONG, hawser_certify_run, steps)},
+    /* evaluations times segments, over those of the case itself */
     {COLUMN("work", NUMBER, hawser_certify_run, work)},
 };
 
@@ -519,8 +538,11 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
     const Fact facts[] = {{"tolerance", "tolerance", "", cell_number(c->tolerance)},
                           {"runs_made", "runs", "", cell_number(c->n_runs)},
                           {"work", "work of the finer runs, in runs of the case", "", cell_number(c->work)},
+                          /* 1: all figures hold to the tolerance */
                           {"certified", "certified", "", cell_number(c->certified)},
+                          /* the result as text */
                           {"verdict", "", "", cell_text(c->verdict)},
+                          /* identity of the run, as in `summary.json` */
                           {"run", "", "", cell_text(c->run_id)}};
     Document doc = {.title = "Certificate", .n_facts = 6, .fact = facts, .n_tables = 2, .table = tables, .csv = &all};
     if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) {

@@ -200,43 +200,63 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
 {
     const Calculator *c = &t->calculator;
     const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
+    const HeadSeries *const heads = &c->heads[PLAN_FORWARD], *const turned = &c->heads[PLAN_BACKWARD];
     const char *const best = theory_ways[c->best];
     int n = 0;
+    /* number of the format ([formats](results.md#formats)) */
     fact[n++] = (Fact){"format", NULL, "", cell_number(RESULTS_FORMAT)};
     fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->setup.cable_weight)};
+    /* coefficient of friction, the largest on the route */
     fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
     if (c->mu_largest > c->mu_least) {
         fact[n - 1].label = "friction coefficient, largest";
+        /* its least value, if that differs */
         fact[n++] = (Fact){"friction_least", "least", "", cell_number(c->mu_least)};
     }
     fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->setup.route->length)};
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
     fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
+    /* winch force at the end, the route full of cable, by the piece formulas; with pits that of the last section */
     fact[n++] = (Fact){"paper_total_N", "winch force, piece formulas", "N", cell_number(t->paper_total)};
+    /* the same by the reference theory */
     fact[n++] = (Fact){"reference_total_N", "winch force at end, forward", "N", cell_number(there->force)};
+    /* the same, pulled backward */
     fact[n++] = (Fact){"backward_total_N", "winch force at end, backward", "N", cell_number(back->force)};
-    for (int k = 0; k < PLAN_WAYS; ++k) {
-        static const char *const keys[PLAN_WAYS][4] = {
-            {"largest_force_N", "largest_force_head_m", "largest_restart_N", "largest_restart_head_m"},
-            {"backward_largest_force_N", "backward_largest_force_head_m", "backward_largest_restart_N",
-             "backward_largest_restart_head_m"}};
-        static const char *const labels[PLAN_WAYS][2] = {
-            {"largest winch force, forward", "largest from rest, forward"},
-            {"largest winch force, backward", "largest from rest, backward"}};
-        const HeadSeries *const heads = &c->heads[k];
-        fact[n++] = (Fact){keys[k][0], labels[k][0], "N", cell_number(heads->peak.force)};
-        fact[n++] = (Fact){keys[k][1], "with the head at", "m", cell_number(heads->peak.head)};
-        fact[n++] = (Fact){keys[k][2], labels[k][1], "N", cell_number(heads->restart_peak.restart)};
-        fact[n++] = (Fact){keys[k][3], "with the head at", "m", cell_number(heads->restart_peak.head)};
-    }
+    /* largest force of any winch, over all sections and places of the head */
+    fact[n++] = (Fact){"largest_force_N", "largest winch force, forward", "N", cell_number(heads->peak.force)};
+    /* place of the head there */
+    fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(heads->peak.head)};
+    /* largest force from rest */
+    fact[n++] =
+        (Fact){"largest_restart_N", "largest from rest, forward", "N", cell_number(heads->restart_peak.restart)};
+    /* place of the head there */
+    fact[n++] = (Fact){"largest_restart_head_m", "with the head at", "m", cell_number(heads->restart_peak.head)};
+    /* largest force of any winch, pulled backward */
+    fact[n++] =
+        (Fact){"backward_largest_force_N", "largest winch force, backward", "N", cell_number(turned->peak.force)};
+    /* place of the head there */
+    fact[n++] = (Fact){"backward_largest_force_head_m", "with the head at", "m", cell_number(turned->peak.head)};
+    /* largest force from rest, pulled backward */
+    fact[n++] = (Fact){"backward_largest_restart_N", "largest from rest, backward", "N",
+                       cell_number(turned->restart_peak.restart)};
+    /* place of the head there */
+    fact[n++] =
+        (Fact){"backward_largest_restart_head_m", "with the head at", "m", cell_number(turned->restart_peak.head)};
+    /* largest tension over radius, T/R */
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
+    /* additional force of bending stiffness, which no other figure has */
     fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N", cell_number(c->limp[PLAN_FORWARD].value)};
     fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
+    /* direction with less force */
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
+    /* direction that is better by the limits */
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
+    /* verdict as text */
     fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD].whole)};
+    /* its word: `safe`, `safe_if`, `not_safe`, `not_judged`, `not_trusted` */
     fact[n++] = (Fact){"verdict_code", NULL, "", cell_text(hawser_word_code(t->verdict[PLAN_FORWARD].word))};
+    /* the same, pulled backward */
     fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD].whole)};
     fact[n++] = (Fact){"verdict_code_backward", NULL, "", cell_text(hawser_word_code(t->verdict[PLAN_BACKWARD].word))};
     return n;

@@ -45,13 +45,16 @@ typedef struct PieceRow {
 
 static const Column piece_column[] = {
     {COLUMN("name", TEXT, PieceRow, name), .label = "piece"},
+    /* place of its start along the route */
     {COLUMN("from_m", NUMBER, PieceRow, from), .label = "from, m", .decimals = 2},
     {COLUMN("length_m", NUMBER, PieceRow, length), .label = "length, m", .decimals = 2},
+    /* radius; empty for straights */
     {COLUMN("radius_m", NUMBER, PieceRow, radius), .label = "R, m", .decimals = 2},
     /* law of friction on the supports: `resultant`, `separate`, `both` */
     {COLUMN("supports", TEXT, PieceRow, supports), .label = "friction on"},
     /* tension where the pull leaves the piece, route full of cable */
     {COLUMN("forward_end_N", NUMBER, PieceRow, FORWARD(end)), .label = "forward: end, N", .decimals = 1},
+    /* largest sidewall pressure */
     {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceRow, FORWARD(sidewall)), .label = "sidewall, N/m", .decimals = 1},
     /* load on a roller; empty without spacing or guides */
     {COLUMN("forward_roller_N", NUMBER, PieceRow, FORWARD(roller)), .label = "roller, N"},
@@ -61,6 +64,7 @@ static const Column piece_column[] = {
     {COLUMN("forward_closed_N", NUMBER, PieceRow, FORWARD(closed)), .label = "closed form, N", .decimals = 1},
     /* the same figures, pulled backward */
     {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1, .group = 1},
+    /* largest sidewall pressure */
     {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "sidewall, N/m",
      .decimals = 1},
     {COLUMN("backward_roller_N", NUMBER, PieceRow, BACKWARD(roller)), .label = "roller, N"},
@@ -114,19 +118,30 @@ typedef struct WayRow {
 
 static const Column way_column[] = {
     {COLUMN("direction", TEXT, WayRow, direction), .label = "direction"},
+    /* tension at the start */
     {COLUMN("start_N", NUMBER, WayRow, way.start), .label = "start, N", .decimals = 1},
+    /* allowance for the rope */
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
+    /* force of the winch with the head at the end */
     {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "at end, N", .decimals = 1},
+    /* the same from rest */
     {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
+    /* largest force of the winch over all places of the head */
     {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest, N", .decimals = 1},
+    /* place of the head there */
     {COLUMN("largest_force_head_m", NUMBER, WayRow, peak.head), .label = "with the head at, m", .decimals = 1},
+    /* force at which the winch should trip */
     {COLUMN("trip_N", NUMBER, WayRow, trip.force), .label = "trip at, N", .decimals = 0},
+    /* what bounds it */
     {COLUMN("trip_by", TEXT, WayRow, trip.by), .label = "by"},
     {COLUMN("max_tension_N", NUMBER, WayRow, way.pull.max_tension), .label = "largest tension, N", .decimals = 1},
+    /* its place along the route */
     {COLUMN("max_tension_at_m", NUMBER, WayRow, way.pull.max_at), .label = "at, m", .decimals = 1},
+    /* least tension */
     {COLUMN("min_tension_N", NUMBER, WayRow, way.pull.min_tension), .label = "least, N", .decimals = 1},
     {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.pull.max_sidewall), .label = "largest sidewall, N/m",
      .decimals = 1},
+    /* its place along the route */
     {COLUMN("max_sidewall_at_m", NUMBER, WayRow, sidewall_at), .label = "at, m", .decimals = 1},
 };
 static const Columns way_columns = COLUMNS(WayRow, way_column);
@@ -177,6 +192,7 @@ typedef struct DuctRow {
 static const Column duct_column[] = {
     {COLUMN("name", TEXT, DuctRow, name), .label = "duct"},
     {COLUMN("cables", COUNT, DuctRow, cables), .label = "cables"},
+    /* how the cables lie */
     {COLUMN("layout", TEXT, DuctRow, layout), .label = "lie as"},
     {COLUMN("weight_factor", NUMBER, DuctRow, load.weight_factor), .label = "weight factor", .decimals = 4},
     {COLUMN("sidewall_factor", NUMBER, DuctRow, load.sidewall_factor), .label = "sidewall factor", .decimals = 4},
@@ -207,6 +223,7 @@ typedef struct LayerRow {
 static const Column layer_column[] = {
     {COLUMN("layer", TEXT, LayerRow, name), .label = "layer"},
     {COLUMN("clearance_m", NUMBER, LayerRow, near.distance), .label = "clearance, m", .decimals = 4},
+    /* place of the least clearance along the route */
     {COLUMN("at_m", NUMBER, LayerRow, near.s), .label = "at, m", .decimals = 2},
 };
 static const Columns layer_columns = COLUMNS(LayerRow, layer_column);
@@ -238,6 +255,7 @@ typedef struct PushRow {
 static const Column push_column[] = {
     /* what pushes the cable along the pull */
     {COLUMN("name", TEXT, PushRow, name), .label = "pushed by"},
+    /* place along the route */
     {COLUMN("at_m", NUMBER, PushRow, at), .label = "at, m", .decimals = 2},
     {COLUMN("forward_N", NUMBER, PushRow, force[PLAN_FORWARD]), .label = "pushes forward, N", .decimals = 1},
     {COLUMN("backward_N", NUMBER, PushRow, force[PLAN_BACKWARD]), .label = "back, N", .decimals = 1},
@@ -340,6 +358,7 @@ static const Column section_column[] = {
     {COLUMN("direction", TEXT, SectionRow, direction), .label = "direction"},
     {COLUMN("from_m", NUMBER, SectionRow, section.from), .label = "from, m", .decimals = 2},
     {COLUMN("to_m", NUMBER, SectionRow, section.to), .label = "to, m", .decimals = 2},
+    /* pit or end with the winch */
     {COLUMN("ends_at", TEXT, SectionRow, ends_at), .label = "winch at"},
     {COLUMN("start_N", NUMBER, SectionRow, section.start), .label = "start, N", .decimals = 1},
     {COLUMN("force_N", NUMBER, SectionRow, force), .label = "winch, N", .decimals = 1},
@@ -402,7 +421,9 @@ static const Column brake_column[] = {
     {COLUMN("direction", TEXT, BrakeRow, direction), .label = "direction"},
     /* brake at the start that keeps the cable in tension */
     {COLUMN("brake_N", NUMBER, BrakeRow, brake.brake), .label = "brake at the start, N", .decimals = 1},
+    /* place of the largest compression */
     {COLUMN("pushed_at_m", NUMBER, BrakeRow, brake.where), .label = "pushed most at, m", .decimals = 2},
+    /* piece of the route there */
     {COLUMN("piece", TEXT, BrakeRow, piece), .label = "which is"},
     /* winch force with it */
     {COLUMN("force_N", NUMBER, BrakeRow, brake.force), .label = "winch then, N", .decimals = 1},
@@ -438,6 +459,7 @@ typedef struct AnswerRow {
 static const Column answer_column[] = {
     {COLUMN("direction", TEXT, AnswerRow, direction), .label = "direction"},
     {COLUMN("question", CHARS, AnswerRow, question), .label = "question"},
+    /* value in the case */
     {COLUMN("now", NUMBER, AnswerRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
     /* largest or smallest value with which all limits hold; null if `result` says why there is none */
     {COLUMN("value", NUMBER, AnswerRow, value), .label = "answer", .decimals = -1, .unit_by = "unit"},
@@ -446,6 +468,7 @@ static const Column answer_column[] = {
     {COLUMN("result", CHARS, AnswerRow, result), .label = "which is"},
     /* the limit that is broken just beyond, `pulled` or `stiffness` */
     {COLUMN("binds", TEXT, AnswerRow, binds), .label = "then binds"},
+    /* its place */
     {COLUMN("where", TEXT, AnswerRow, place), .label = "at"},
 };
 static const Columns answer_columns = COLUMNS(AnswerRow, answer_column);
@@ -503,7 +526,9 @@ typedef struct MachineRow {
 
 static const Column machine_column[] = {
     {COLUMN("direction", TEXT, MachineRow, direction), .label = "direction"},
+    /* place of the machine along the route */
     {COLUMN("at_m", NUMBER, MachineRow, at), .label = "machine at, m", .decimals = 2},
+    /* force that it takes off the pull */
     {COLUMN("takes_N", NUMBER, MachineRow, takes), .label = "takes off, N", .decimals = 1},
 };
 static const Columns machine_columns = COLUMNS(MachineRow, machine_column);
@@ -560,6 +585,7 @@ static const Column remedy_column[] = {
     {COLUMN("where", TEXT, RemedyRow, place), .label = "of"},
     /* key of the case; empty if it has none of its own */
     {COLUMN("key", CHARS, RemedyRow, key), .label = "key"},
+    /* value in the case */
     {COLUMN("now", NUMBER, RemedyRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
     {COLUMN("value", NUMBER, RemedyRow, value), .label = "needed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, RemedyRow, unit), .label = "unit"},

@@ -15,12 +15,14 @@ TABLES = "io/results/tables.c"
 SUMMARY = "io/results/summary_json.c"
 SERIES, SETS = "io/results/results_file.c", "io/results/states_data.c"
 THEORY, MACHINES = "io/api/theory_tables.c", ("sim/solve/chains.c", "sim/equipment/conveyor.c")
+ANSWER, CERTIFICATE, SLOPES = "io/api/api_theory.c", "io/api/api_certify.c", "study/sensitivities.c"
 TABLE = re.compile(r"^static const Column (\w+)_column\[\] = \{(.*?)^\};", re.M | re.S)
 ROW = re.compile(r'(?:/\*((?:(?!\*/).)*)\*/\s*)?\{\s*(?:COLUMN|LIST|TERMS)?\(?(?:\.key = )?"([^"]*)"([^{}]*)\}', re.S)
 KIND = re.compile(r"^, (NUMBER|COUNT|LONG|TEXT|CHARS|FLAG|VECTOR)\b|\.kind = COLUMN_(\w+)")
 OF = re.compile(r", (\w+)_columns\)|\.of = &(\w+)_columns")
+FACT = re.compile(r'(?:/\*((?:(?!\*/).)*)\*/\s*)?(?:fact\[n\+\+\] =\s*\(Fact\))?\{"(\w+)", (?:"([^"]*)"|NULL), "([^"]*)",\s*cell_', re.S)
 LABEL = re.compile(r'\.label = "([^"]*)"')
-UNITS = (("_kg_per_m", "kg/m"), ("_N_per_m", "N/m"), ("_m_per_s", "m/s"), ("_rad_per_s", "rad/s"), ("_per_m", "1/m"), ("_N_m2", "N m2"),
+UNITS = (("_v_s", ""), ("_kg_per_m", "kg/m"), ("_N_per_m", "N/m"), ("_m_per_s", "m/s"), ("_rad_per_s", "rad/s"), ("_per_m", "1/m"), ("_N_m2", "N m2"),
          ("_N_m", "N m"), ("_N_s", "N s"), ("_per_s2", "1/s2"), ("_per_s", "1/s"), ("_rad", "rad"), ("_deg", "deg"), ("_Hz", "Hz"),
          ("_pct_paper", "%"), ("_pct", "%"), ("_N", "N"), ("_J", "J"), ("_W", "W"), ("_m", "m"), ("_s", "s"))
 DOCUMENT, SCRIPT, PYTHON = "docs/reference/columns.md", "web/src/columns.ts", "python/hawser/_columns.py"
@@ -81,6 +83,11 @@ def document(rows, first="column"):
 
 def columns(rows, first="column"):
     return document([(key, unit_of(key), meaning) for key, _, meaning in rows], first)
+
+
+def facts(root, path):
+    """What a document has besides its tables: the comment above a fact describes it, or else its label."""
+    return document([(key, unit, one_line(comment) or label) for comment, key, label, unit in FACT.findall(tree.read(root, path))], "fact")
 
 
 def machines(root):
@@ -153,11 +160,14 @@ def page(root, found, summary):
     text += "\n## summary.json\n" + keys(root, {**summary, "piece_line": found["piece"]}, "summary", "", set())
     for name, _, figures in machines(root):
         text += f"\n### `{name}`\n\n" + columns([("name", "TEXT", "its own"), *figures], "key")
-    text += "\n## results.h5\n" + sets(root) + "\n## Tables of hawser theory\n"
+    text += "\n## results.h5\n" + sets(root) + "\n## Tables of hawser theory\n\n### Facts\n\n" + facts(root, ANSWER)
     theory, source = tables(root, THEORY), tree.read(root, THEORY)
     for name, heading, table in re.findall(r'table_add\(\s*t, "(\w+)", "([^"]*)",\s*(\w+)_columns', source):
         text += f"\n### Table `{name}`\n\n{heading}.\n\n" + columns(theory[table] if table in theory else summary[table])
-    return text
+    certificate = tables(root, CERTIFICATE)
+    text += "\n## certificate.json\n\n" + facts(root, CERTIFICATE)
+    text += "".join(f"\n### Table `{name}s`\n\n{columns(certificate[name])}" for name in ("figure", "run"))
+    return text + "\n## sensitivities.json\n\n" + columns(tables(root, SLOPES)["slope"])
 
 
 def script(summary):
