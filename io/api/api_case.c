@@ -226,7 +226,8 @@ void hawser_text_free(char *text) { free(text); }
 
 /* Notes of `hawser check` about unusual values, usually a wrong unit; no errors. */
 
-/* Usual ranges of figures of cable pulls; docs/case-format.md, "Unusual figures", has the sources. */
+/* Usual ranges of figures of cable pulls; the comments are the
+ * table of docs/reference/limits.md, "Unusual figures". */
 typedef enum PlausibleKind {
     PLAUSIBLE_DIAMETER,
     PLAUSIBLE_DENSITY,
@@ -244,15 +245,27 @@ static const struct {
     const char *what, *unit;
     double least, most;
 } ranges[] = {
+    /* Of: a cable or rope. Known: the catalogue: 6 to 160 mm; the largest submarine cables have 300 mm. */
     [PLAUSIBLE_DIAMETER] = {"diameter", "mm", 3, 400},
+    /* Of: a cable or rope. Known: ropes of polyethylene fibres from some 600, cables 1500 to 5000, solid lead 11 340.
+     */
     [PLAUSIBLE_DENSITY] = {"mass over cross-section", "kg/m3", 500, 12000},
+    /* Of: `friction` and a surface. Known: TB 889 and IEEE 1185: 0.05 to 0.8 dry. */
     [PLAUSIBLE_FRICTION] = {"friction coefficient", "", 0, 1.5},
+    /* Of: the route. Known: a sheave; a line that is called straight. */
     [PLAUSIBLE_RADIUS] = {"radius of a bend", "m", 0.05, 100000},
+    /* Of: the case. Known: a test bench; submarine cables. */
     [PLAUSIBLE_LENGTH] = {"length of the route", "m", 0.1, 100000},
+    /* Of: the drive, at the end. Known: 6 to 30 m/min in ducts and tunnels. */
     [PLAUSIBLE_SPEED] = {"speed of the winch", "m/s", 0, 5},
+    /* Of: winch or tail, at the end. Known: the largest pulling winches have 400 kN. */
     [PLAUSIBLE_TENSION] = {"tension", "kN", 0, 1000},
+    /* Of: a duct with one power cable from 30 mm on. Known: 1.5 to 2.5; a diameter given as `radius` doubles it. */
     [PLAUSIBLE_ROOM] = {"inside diameter over the cable's", "", 1.02, 3},
+    /* Of: `limits`. Known: 0.05 to 0.4 of power cables. */
     [PLAUSIBLE_CONDUCTOR] = {"conductors over the cable's cross-section", "", 0.01, 0.85},
+    /* Of: the narrowest flat roller that carries the cable along the route. Known: rule of the
+       [catalogue](../guide/equipment.md): 1.5 D + 30 mm; a run checks at its start whether the cable stays on it. */
     [PLAUSIBLE_WIDTH] = {"width less 30 mm over the cable's diameter", "", 1.5, 1000},
 };
 

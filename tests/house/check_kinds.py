@@ -1,5 +1,6 @@
 """A kind of limit or condition is said once: limits by the rows of def/limit_kinds.h, conditions of trust by the tables of
-sim/run/trust.c and theory/conditions.c. From these are the public enumerations and docs/reference/limits.md.
+sim/run/trust.c and theory/conditions.c. From these are the public enumerations and docs/reference/limits.md, which has the usual
+ranges of io/api/api_case.c too.
 
 Usage: check_kinds.py ROOT [--update]     (--update: writes both)
 The comment above a row says what the kind is, and then, for users, `Found:` and `Allowed:` of a limit, `Holds if:` and `Fails because:`
@@ -10,10 +11,12 @@ import sys
 
 import tree
 
-LIMITS, TRUST, THEORY, DOCUMENT = "def/limit_kinds.h", "sim/run/trust.c", "theory/conditions.c", "docs/reference/limits.md"
+LIMITS, TRUST, THEORY, RANGES = "def/limit_kinds.h", "sim/run/trust.c", "theory/conditions.c", "io/api/api_case.c"
+DOCUMENT = "docs/reference/limits.md"
 COMMENT = r"/\* ((?:(?!\*/).)*?)\s*\*/\s*"
 LIMIT = re.compile(rf'{COMMENT}^LIMIT\((\w+), "(\w+)", "([^"]+)"', re.M | re.S)
 CONDITION = re.compile(rf'(?:{COMMENT})?\[HAWSER_CONDITION_(\w+)\]\s*=\s*\{{"(\w+)",\s*"([^"]+)"\}}', re.S)
+RANGE = re.compile(rf'{COMMENT}\[PLAUSIBLE_\w+\] = \{{"([^"]+)", "([^"]*)", ([\d.]+), ([\d.]+)\}}', re.S)
 ENUM = r"(typedef enum hawser_%s_kind \{\n)(.*?)(\} hawser_%s_kind;)"
 WIDE = 120
 OF_THEORY = "of theory: "
@@ -39,11 +42,18 @@ found is at most the allowed one. `summary.json` has all under `trust`. The orde
 
 """
 THEORY_HEAD = "\n### Of a calculation\n\n"
+RANGES_HEAD = """
+## Unusual figures
+
+`hawser check` lists figures outside these ranges as "Hardly ever so: is the unit right?" (`unusual` in JSON); `theory` and `run` print them above the verdict. They are notes: a wrong
+unit usually gives a factor of ten or a thousand. Rods are not checked.
+
+"""
 
 
 def parts(comment, fields):
     """What a comment above a row says: the kind itself, then each field's text."""
-    text = re.sub(r"\s*\n\s*\*\s?", " ", comment).strip()
+    text = re.sub(r"\s*\n\s*\*?\s*", " ", comment).strip()
     found = re.split(rf"\s*\b({'|'.join(fields)}):\s+", text)
     return found[0].strip(), {name: said.strip().removesuffix(".") for name, said in zip(found[1::2], found[2::2])}
 
@@ -79,12 +89,18 @@ def table(head, rows, fields):
     return text
 
 
+def ranges(root):
+    rows = [(f"{what}{', ' + unit if unit else ''}", said.get("Of", ""), least, most, said.get("Known", ""))
+            for comment, what, unit, least, most in RANGE.findall(tree.read(root, RANGES)) for _, said in [parts(comment, ("Of", "Known"))]]
+    return "| figure | of | from | to | known values |\n|---|---|---:|---:|---|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows)
+
+
 def page(root):
     theory = conditions(root, THEORY)
     of_run = conditions(root, TRUST) + [row for row in theory if not row[3].startswith(OF_THEORY)]
     head = ("condition", "holds if", "usual reason of a failure", "what to do")
     return (HEAD + table(("limit", "found", "allowed, unless the case gives it", "what to do if it is broken"), limits(root), LIMIT_FIELDS) +
-            TRUST_HEAD + table(head, of_run, CONDITION_FIELDS) + THEORY_HEAD + table(head, theory, CONDITION_FIELDS))
+            TRUST_HEAD + table(head, of_run, CONDITION_FIELDS) + THEORY_HEAD + table(head, theory, CONDITION_FIELDS) + RANGES_HEAD + ranges(root))
 
 
 def expected(root):
