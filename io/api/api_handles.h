@@ -6,6 +6,7 @@
 
 #include "core/checkpoint.h"
 #include "hawser/hawser.h"
+#include "io/case/schema.h"
 #include "io/case/yaml.h"
 #include "io/report/crew.h"
 #include "io/results/column.h"
@@ -21,6 +22,8 @@ struct hawser_case {
     char *name;              /* name of its file */
     _Atomic(SceneDef *) def; /* definition, constant once read; NULL: not read yet */
 };
+
+extern const CaseSection job_top; /* keys of a job */
 
 /* Returns the error of a simulation that is advanced from inside one of its call-backs. */
 hawser_status error_inside(hawser_error *err);

@@ -293,33 +293,40 @@ struct hawser_job {
 static const char *const directions[] = {"better", "forward", "backward", NULL};
 
 static const CaseKey pull_keys[] = {
-    {"name", KEY_TEXT, .required = 1, AT(JobPull, name)},
-    {"case", KEY_TEXT, .fallback = "", AT(JobPull, path)},
-    {"from", KEY_TEXT, .fallback = "", AT(JobPull, from)},
-    {"to", KEY_TEXT, .fallback = "", AT(JobPull, to)},
-    {"on", KEY_TEXT, .fallback = "", AT(JobPull, on)},
-    {"direction", KEY_CHOICE, .fallback = "better", .choices = directions, AT(JobPull, wanted)},
+    {"name", KEY_TEXT, .required = 1, AT(JobPull, name), .meaning = "No two pulls have the same."},
+    {"case", KEY_TEXT, .fallback = "", AT(JobPull, path),
+     .meaning = "File of a case to start from, relative to the job's folder."},
+    {"from", KEY_TEXT, .fallback = "", AT(JobPull, from), .meaning = "Joint bay at the route's start."},
+    {"to", KEY_TEXT, .fallback = "", AT(JobPull, to), .meaning = "Joint bay at the route's end."},
+    {"on", KEY_TEXT, .fallback = "", AT(JobPull, on), .meaning = "Reel of the cable; empty: any that fits."},
+    {"direction", KEY_CHOICE, .fallback = "better", .choices = directions, AT(JobPull, wanted),
+     .meaning = "`forward` pulls from the route's start to its end, with the reel at `from`."},
 };
 
 static SECTION(job_pull, "pulls.N", pull_keys);
 
 static const CaseKey reel_keys[] = {
-    {"name", KEY_TEXT, .required = 1, AT(JobReel, name)},
-    {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(JobReel, length)},
-    {"tare", KEY_NUMBER, DIM_MASS, .fallback = "0 kg", FROM(0, STRONG), AT(JobReel, tare)},
+    {"name", KEY_TEXT, .required = 1, AT(JobReel, name), .meaning = "No two reels have the same."},
+    {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(JobReel, length),
+     .meaning = "Length of its cable."},
+    {"tare", KEY_NUMBER, DIM_MASS, .fallback = "0 kg", FROM(0, STRONG), AT(JobReel, tare),
+     .meaning = "Mass of the empty reel."},
 };
 
 static SECTION(job_reel, "reels.N", reel_keys);
 
 static const CaseKey top_keys[] = {
-    {"title", KEY_TEXT, .fallback = "", AT(hawser_job, title)},
-    {"allowance", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(hawser_job, allowance)},
-    {"common", KEY_MAP, .otherwise = "nothing", .form = "keys of a case"},
-    {"pulls", KEY_LIST, .required = 1, .section = &job_pull},
-    {"reels", KEY_LIST, .otherwise = "none", .section = &job_reel},
+    {"title", KEY_TEXT, .fallback = "", AT(hawser_job, title),
+     .meaning = "Heading of the tables; empty: the file's name."},
+    {"allowance", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(hawser_job, allowance),
+     .meaning = "Cable that each pull needs beyond its route, for joints or ends."},
+    {"common", KEY_MAP, .otherwise = "nothing", .form = "keys of a case",
+     .meaning = "What every pull has unless it has the key itself."},
+    {"pulls", KEY_LIST, .required = 1, .section = &job_pull, .meaning = "The pulls, up to 10 000."},
+    {"reels", KEY_LIST, .otherwise = "none", .section = &job_reel, .meaning = "Delivered reels."},
 };
 
-static SECTION(job_top, "", top_keys);
+SECTION(job_top, "", top_keys);
 
 static CaseNode *child_of(CaseNode *map, const char *key)
 {
