@@ -689,6 +689,7 @@ const char *case_key_meaning(const CaseSection *section, const CaseKey *key)
 {
     char path[CASE_FORM_MAX];
     size_t first = 0, end = sizeof rows / sizeof *rows;
+    if (key->meaning) return key->meaning;
     snprintf(path, sizeof path, "%s.%s", section->path, key->name);
     while (first < end) {
         const size_t middle = first + (end - first) / 2;
