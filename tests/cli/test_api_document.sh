@@ -1,12 +1,13 @@
-# The programs of docs/guide/c.md and those in docs/tutorial/ that it names, compiled against the header and the library, print what they should.
+# The programs in docs/tutorial/ that docs/guide/c.md names, compiled against the header and the library, print what they should.
 library=$1 source=$2
 hawser=
 . "$source/tests/cli/common.sh"
 what="a program of docs/guide/c.md"
 
-sed -n '/^```c$/,/^```$/p' "$source/docs/guide/c.md" | sed '/^```/d' >"$work/example.c"
-cp "$source/docs/tutorial/controller.c" "$source/docs/tutorial/contacts.c" "$work"
-for name in example controller contacts; do
+shown=$(sed -n '/^```c$/,/^```$/p' "$source/docs/guide/c.md" | sed '/^```/d') program=$(cat "$source/docs/tutorial/run.c")
+[ -n "$shown" ] && [ "${program#*"$shown"}" != "$program" ] || fail "docs/guide/c.md does not show a part of docs/tutorial/run.c"
+cp "$source/docs/tutorial/run.c" "$source/docs/tutorial/controller.c" "$source/docs/tutorial/contacts.c" "$work"
+for name in run controller contacts; do
     ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$source/include" "$work/$name.c" -o "$work/$name" "$library" \
         -Wl,-rpath,"$(dirname "$library")" || { fail "$what: $name does not compile"; finish; }
     "$work/$name" >"$work/out" 2>"$work/err" || fail "$what: $name does not run"
@@ -15,7 +16,7 @@ for name in example controller contacts; do
 done
 
 # mu m g = 0.2 * 200 kg * 9.81 m/s2; the simulated pull lies below by what the winch carries of a span
-mv "$work/example.out" "$work/out"
+mv "$work/run.out" "$work/out"
 says out "theory 392.4 N" "middle:" "t = 1.0 s" "t = 3.0 s: winch pulls"
 awk '$1 == "pull" && ($2 < 382 || $2 > 394) { exit 1 }
      /t = 3.0 s/ && ($7 < 573 || $7 > 591) { exit 1 }' "$work/out" || {
