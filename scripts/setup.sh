@@ -24,7 +24,7 @@ fuzz_packages="clang libclang-rt-dev afl++"
 mutants_packages="python3-clang-14"
 coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
-    python3-xarray python3-jsonschema python3-yaml python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
+    python3-xarray python3-netcdf4 python3-jsonschema python3-yaml python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
 site_packages="doxygen python3-sphinx python3-myst-parser python3-breathe"
 cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
 wasm_packages="emscripten dpkg-dev"

@@ -613,10 +613,10 @@ const SampleColumn sample_column[] = {
     /* cable that is still on the drum */
     {"wound_m", VALUE(wound), .of = OF_REEL},
     /* segment K of `output.speeds_of`: speed along its own axis */
-    {"speed_*_m_per_s", ITEMS(axial_speed), .of = OF_SEGMENT, .per = PER_SEGMENT, .frame = "axial_speed"},
+    {"speed_*_m_per_s", ITEMS(axial_speed), .of = OF_SEGMENT, .per = PER_SEGMENT},
     /* the same segment: axial force of the joint ahead of it */
     {"tension_*_N", ITEMS(tension), .of = OF_SEGMENT, .start = sizeof(double), .set = "tension", .unit = "N",
-     .about = "axial force of joint j, between segments j-1 and j", .per = PER_JOINT, .frame = "tension"},
+     .about = "axial force of joint j, between segments j-1 and j", .per = PER_JOINT, .drawn = 1},
     {"*", MEMBER(figure, hawser_figure, value), .of = OF_FIGURE},
     /* probe of `output.probes`: position */
     {"*_@_m", MEMBER(probe, hawser_probe, position), .of = OF_PROBE, .digits = 12},
@@ -635,21 +635,21 @@ const SampleColumn sample_column[] = {
      .about = "contact force on each roller, x y z", .per = PER_ROLLER, .width = 3},
     {NULL, ITEMS(field.curvature), .set = "curvature", .unit = "1/m",
      .about = "at joint j: angle between its segments over the distance of their middles; 0 at both ends",
-     .per = PER_JOINT, .single = 1, .frame = "curvature"},
+     .per = PER_JOINT, .single = 1, .drawn = 1},
     {NULL, ITEMS(field.sidewall), .set = "sidewall", .unit = "N/m",
      .about = "at joint j: tension over the radius of the route's bend, on the worst loaded cable; negative where a "
               "cable in "
               "compression presses outward; 0 on straights and on the rope",
-     .per = PER_JOINT, .single = 1, .frame = "sidewall"},
+     .per = PER_JOINT, .single = 1, .drawn = 1},
     {NULL, ITEMS(field.contact_line_load), .set = "contact_line_load", .unit = "N/m",
      .about = "size of all contact forces on a segment, friction included, over its length", .per = PER_SEGMENT,
-     .single = 1, .frame = "contact_line_load"},
+     .single = 1, .drawn = 1},
     {NULL, ITEMS(position), .set = "position", .unit = "m", .about = "segment centres, x y z", .per = PER_SEGMENT,
-     .width = 3, .frame = "position"},
+     .width = 3},
     {NULL, ITEMS(quaternion), .set = "quaternion", .unit = "1",
      .about = "segment orientations, w x y z; turns the x axis onto the segment", .per = PER_SEGMENT, .width = 4},
     {NULL, ITEMS(velocity), .set = "velocity", .unit = "m/s", .about = "of the segment centres", .per = PER_SEGMENT,
-     .width = 3},
+     .width = 3, .drawn = 1},
     {NULL, ITEMS(omega), .set = "omega", .unit = "rad/s", .about = "angular velocity in world components",
      .per = PER_SEGMENT, .width = 3},
 };

@@ -166,9 +166,9 @@ typedef struct SampleColumn {
     int digits;                     /* 0: nine */
     const char *set, *unit, *about; /* in results.h5; NULL: not there */
     SamplePer per;
-    int width;         /* values for each item; 0: one, without a dimension of its own */
-    int single;        /* in single precision: a field for display */
-    const char *frame; /* in the frames of results.xdmf, for points or cells: NULL: not there */
+    int width;  /* values for each item; 0: one, without a dimension of its own */
+    int single; /* in single precision: a field for display */
+    int drawn;  /* in results.xdmf, as data of points or cells */
 } SampleColumn;
 
 extern const SampleColumn sample_column[];
@@ -197,7 +197,7 @@ hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *e
 hawser_status series_head(OutFile *out, const Series *series, hawser_error *err);
 hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err);
 /* Format of results.h5; docs/reference/results.md, "Formats", lists its changes. */
-enum { STATES_FORMAT = 2 };
+enum { STATES_FORMAT = 3 };
 
 /* ------------------------------------------------------------------------------------------------- results.h5 */
 
@@ -208,8 +208,10 @@ typedef struct FixedSet {
     const char *set;      /* its path */
     FixedKind kind;       /* doubles; doubles written in single precision; ints; char[NAME_MAX_LENGTH] */
     size_t values, count; /* places in the struct of the array's pointer and of the number of its items */
+    const char *axis;     /* dimension of its items within the group: a set's name, whose values it has, or another */
     int width;            /* values for each item; 0: one, without a dimension of its own */
     const char *unit, *about;
+    const char *across; /* dimension of these values; of names it is "letter" */
 } FixedSet;
 
 /* Sets of a Geometry, and of one of its surfaces below "geometry/surfaces/K/". */
@@ -253,9 +255,9 @@ hawser_status h5_flush(H5File *h, int must, hawser_error *err);
 hawser_status h5_close(H5File **file, hawser_error *err);
 /* ----------------------------------------------------------------------------------------------- results.xdmf */
 
-/* Describes for ParaView, meshio and other readers of XDMF 3 where in results.h5 the states are: a temporal collection
- * of polylines through the segment centres; and before it, the geometry: the route's line and triangles. The file is a
- * complete XML document after every call. */
+/* Describes for ParaView and other readers of XDMF where in results.h5 the states are: a temporal collection of
+ * polylines through the segment centres, as rows of the growing sets; and before it, the geometry: the route's line and
+ * triangles. The file is a complete XML document after every call. */
 typedef struct XdmfFile {
     OutFile out;
     int segments;
@@ -269,7 +271,7 @@ hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, h
 hawser_status xdmf_can_resume(const OutDir *dir, long end, hawser_error *err);
 /* Opens it to continue behind byte `end`, where its last state ended. Errors: OUTPUT, MEMORY. */
 hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def, long end, hawser_error *err);
-/* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
+/* Adds states first .. first+n-1, which are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err);
 

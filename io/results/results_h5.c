@@ -97,19 +97,33 @@ static int h5_names(hid_t parent, const char *name, int n, const void *values)
 
 /* ------------------------------------------------------------------------------------------------ dimension scales */
 
+/* A dimension of sets: a scale of n places counted from 0; n < 0: the existing set of that name; 0: none. */
+typedef struct SetAxis {
+    const char *name;
+    int n, plain; /* plain: its places have no meaning, so that netCDF shows no variable */
+    const char *about;
+} SetAxis;
+
+enum { AXES_MOST = 8, AXIS_USES_MOST = 64 };
+
+/* A set's dimensions as indices of axes. */
+typedef struct SetAxisUse {
+    const char *set;
+    int rank, axis[3];
+} SetAxisUse;
+
 /* A use of a scale: a set, and one of its dimensions. */
 typedef struct ScaleUse {
     hobj_ref_t set;
     unsigned dimension;
 } ScaleUse;
 
-/* Stores the scale of each dimension, as a list of one reference, or of none; HDF5 defines the list's form. */
+/* Stores the scale of each dimension, as a list of one reference; HDF5 defines the list's form. */
 static int axes_name(hid_t set, const SetAxisUse *use, hobj_ref_t scale[])
 {
     hvl_t list[AXES_MOST];
     const hsize_t rank = (hsize_t)use->rank;
-    for (int k = 0; k < use->rank; k++)
-        list[k] = (hvl_t){use->axis[k] >= 0, use->axis[k] >= 0 ? &scale[use->axis[k]] : NULL};
+    for (int k = 0; k < use->rank; k++) list[k] = (hvl_t){1, &scale[use->axis[k]]};
     const hid_t type = H5Tvlen_create(H5T_STD_REF_OBJ), space = H5Screate_simple(1, &rank, NULL);
     const hid_t a = H5Acreate2(set, "DIMENSION_LIST", type, space, H5P_DEFAULT, H5P_DEFAULT);
     const int ok = a >= 0 && H5Awrite(a, type, list) >= 0;
@@ -135,24 +149,24 @@ static int uses_name(hid_t scale, const ScaleUse *use, int n)
 }
 
 /* Opens a set that this run has written, of numbers or of letters. */
-static hid_t own_set(hid_t file, const char *name, int rank)
+static hid_t own_set(hid_t parent, const char *name, int rank)
 {
     hsize_t dims[3];
-    const hid_t set = door_set(file, name, 0, rank, dims, INFINITY);
-    return set >= 0 ? set : door_set(file, name, 1, rank, dims, INFINITY);
+    const hid_t set = door_set(parent, name, 0, rank, dims, INFINITY);
+    return set >= 0 ? set : door_set(parent, name, 1, rank, dims, INFINITY);
 }
 
 /* Opens a scale's own set; an existing one (the times) is used. Without a meaning of its own ("plain") it has netCDF's
  * form for a dimension without a variable. */
-static hid_t scale_open(hid_t file, const SetAxis *axis)
+static hid_t scale_open(hid_t parent, const SetAxis *axis)
 {
     char name[80];
-    if (axis->n < 0) return own_set(file, axis->name, 1);
+    if (axis->n < 0) return own_set(parent, axis->name, 1);
     const hsize_t n = (hsize_t)axis->n;
     int *const counted = malloc(sizeof *counted * (n + 1));
     if (!counted) return -1;
     for (int k = 0; k < axis->n; k++) counted[k] = k;
-    const hid_t set = set_new(file, axis->name, H5T_STD_I32LE, H5T_NATIVE_INT, 1, &n, counted, H5P_DEFAULT);
+    const hid_t set = set_new(parent, axis->name, H5T_STD_I32LE, H5T_NATIVE_INT, 1, &n, counted, H5P_DEFAULT);
     free(counted);
     if (set < 0 || !axis->plain) return set;
     snprintf(name, sizeof name, "This is a netCDF dimension but not a netCDF variable. %10d", axis->n);
@@ -161,23 +175,24 @@ static hid_t scale_open(hid_t file, const SetAxis *axis)
     return -1;
 }
 
-/* Makes scales of the axes and stores them in the sets, in both directions, like HDF5's library of scales. */
-static int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use)
+/* Makes scales of the axes of a group and stores them in its sets, in both directions, like HDF5's library of scales.
+ */
+static int h5_axes(hid_t group, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use)
 {
     ScaleUse list[AXIS_USES_MOST];
     hobj_ref_t scale[AXES_MOST];
     int ok = n <= AXES_MOST && n_uses <= AXIS_USES_MOST;
     for (int k = 0; k < n && ok; k++) {
         if (!axis[k].n) continue;
-        const hid_t set = scale_open(file, &axis[k]);
+        const hid_t set = scale_open(group, &axis[k]);
         ok = set >= 0;
         if (ok && !axis[k].plain) ok = h5_text(set, "CLASS", "DIMENSION_SCALE") && h5_text(set, "NAME", axis[k].name);
         if (ok && axis[k].about) ok = h5_text(set, "units", "1") && h5_text(set, "description", axis[k].about);
-        ok = ok && H5Rcreate(&scale[k], file, axis[k].name, H5R_OBJECT, -1) >= 0;
+        ok = ok && H5Rcreate(&scale[k], group, axis[k].name, H5R_OBJECT, -1) >= 0;
         if (set >= 0) H5Dclose(set);
     }
     for (int i = 0; i < n_uses && ok; i++) {
-        const hid_t set = own_set(file, use[i].set, use[i].rank);
+        const hid_t set = own_set(group, use[i].set, use[i].rank);
         ok = set >= 0 && axes_name(set, &use[i], scale);
         if (set >= 0) H5Dclose(set);
     }
@@ -187,10 +202,10 @@ static int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const Set
             for (int d = 0; d < use[i].rank && ok; d++) {
                 if (use[i].axis[d] != k) continue;
                 list[found].dimension = (unsigned)d;
-                ok = found < AXIS_USES_MOST && H5Rcreate(&list[found++].set, file, use[i].set, H5R_OBJECT, -1) >= 0;
+                ok = found < AXIS_USES_MOST && H5Rcreate(&list[found++].set, group, use[i].set, H5R_OBJECT, -1) >= 0;
             }
         }
-        const hid_t set = found ? own_set(file, axis[k].name, 1) : -1;
+        const hid_t set = found ? own_set(group, axis[k].name, 1) : -1;
         if (found) ok = ok && set >= 0 && uses_name(set, list, found);
         if (set >= 0) H5Dclose(set);
     }
@@ -199,9 +214,21 @@ static int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const Set
 
 /* ---------------------------------------------------------------------------------------------------------- tables */
 
-int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values)
+int h5_line(hid_t parent, const char *group, const char *name, int n, int *error)
 {
-    return h5_set(parent, name, H5T_STD_I32LE, H5T_NATIVE_INT, rank, dims, values);
+    const hsize_t dims[2] = {(hsize_t)n - 1, 2};
+    const SetAxis axis[] = {{"element", n - 1, 1, NULL}, {"end", 2, 1, NULL}};
+    if (n < 2) return 1;
+    int *const pairs = malloc(2 * sizeof *pairs * (size_t)n);
+    if (!pairs) *error = ENOMEM;
+    if (!pairs) return 0;
+    for (int i = 0; i + 1 < n; i++) pairs[2 * i] = i, pairs[2 * i + 1] = i + 1;
+    const hid_t place = *group ? door_group(parent, group) : parent;
+    const int ok = place >= 0 && h5_set(place, name, H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs) &&
+                   h5_axes(place, 2, axis, 1, &(SetAxisUse){name, 2, {0, 1}});
+    if (*group && place >= 0) H5Gclose(place);
+    free(pairs);
+    return ok;
 }
 
 /* Writes one set of a table, with its unit and its description. */
@@ -219,25 +246,70 @@ static int fixed_write(hid_t parent, const char *path, const FixedSet *set, int 
     return ok;
 }
 
+/* Returns the length of a path up to its last name. */
+static int folder_length(const char *path)
+{
+    const char *const last = strrchr(path, '/');
+    return last ? (int)(last - path) + 1 : 0;
+}
+
+/* Returns the index of an axis of that name, which is added if it is new. */
+static int axis_index(SetAxis axis[AXES_MOST], int *n, SetAxis wanted)
+{
+    int k = 0;
+    while (k < *n && strcmp(axis[k].name, wanted.name) != 0) k++;
+    if (k == *n) axis[(*n)++] = wanted;
+    return k;
+}
+
+/* Writes the sets of one group and its dimensions. */
+static int group_write(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from)
+{
+    SetAxis axis[AXES_MOST];
+    SetAxisUse use[AXIS_USES_MOST];
+    char path[256];
+    int n_axes = 0, n_uses = 0, ok = 1;
+    for (int k = 0; k < n && ok; k++) {
+        const char *const at = from, *const name = set[k].set + folder_length(set[k].set);
+        const int count = *(const int *)(at + set[k].count), named = set[k].kind == FIXED_NAME;
+        const int own = !strcmp(name, set[k].axis); /* the set is a scale itself */
+        if (count <= 0) continue;
+        snprintf(path, sizeof path, "%s%s", prefix, set[k].set);
+        ok = fixed_write(parent, path, &set[k], count, *(const void *const *)(at + set[k].values));
+        const int items = axis_index(axis, &n_axes, (SetAxis){set[k].axis, own ? -1 : count, !own, NULL});
+        if (own) continue;
+        use[n_uses] = (SetAxisUse){name, named || set[k].width ? 2 : 1, {items}};
+        if (named) use[n_uses].axis[1] = axis_index(axis, &n_axes, (SetAxis){"letter", NAME_MAX_LENGTH, 1, NULL});
+        if (set[k].width)
+            use[n_uses].axis[1] = axis_index(axis, &n_axes, (SetAxis){set[k].across, set[k].width, 1, NULL});
+        n_uses++;
+    }
+    if (n_axes == 0 || !ok) return ok;
+    path[folder_length(path) - 1] = 0;
+    const hid_t group = door_group(parent, path);
+    ok = group >= 0 && h5_axes(group, n_axes, axis, n_uses, use);
+    if (group >= 0) H5Gclose(group);
+    return ok;
+}
+
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from)
 {
     int ok = 1;
-    for (int k = 0; k < n && ok; k++) {
-        char path[256];
-        const char *const at = from;
-        const int count = *(const int *)(at + set[k].count);
-        snprintf(path, sizeof path, "%s%s", prefix, set[k].set);
-        if (count > 0) ok = fixed_write(parent, path, &set[k], count, *(const void *const *)(at + set[k].values));
+    for (int first = 0, end; first < n && ok; first = end) {
+        const int length = folder_length(set[first].set);
+        for (end = first + 1; end < n && folder_length(set[end].set) == length &&
+                              !strncmp(set[first].set, set[end].set, (size_t)length);)
+            end++;
+        ok = group_write(parent, prefix, end - first, set + first, from);
     }
     return ok;
 }
 
 /* Every set is a row of the table of a sample's columns (series.c). Sets grow by one row a state; a chunk is one row,
- * so that each state is written once and nothing is read back. In addition, a group for each state keeps the data for
- * results.xdmf in single precision, as small sets of their own: meshio reads whole sets only. HDF5's handles are closed
- * on every path; calls on an invalid handle fail without harm. */
+ * so that each state is written once and nothing is read back; results.xdmf refers to these rows. HDF5's handles are
+ * closed on every path; calls on an invalid handle fail without harm. */
 
-enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
+enum { TIME_CHUNK = 256 };
 
 enum { CONVERSION = 64 << 10 }; /* bytes of HDF5's buffer for conversions: its own 1 MB is cleared at each write */
 
@@ -250,16 +322,15 @@ static const double deflate_above = 32e6;
 enum { ROOM = 4 << 20, ROOM_EACH = 256 };
 
 struct H5File {
-    hid_t file, frames, driver; /* <= 0: does not exist */
-    int fd;                     /* descriptor of the file; < 0: none */
-    hid_t *set;                 /* [sample_columns]; 0: does not exist (a scene without rollers) */
+    hid_t file, driver; /* <= 0: does not exist */
+    int fd;             /* descriptor of the file; < 0: none */
+    hid_t *set;         /* [sample_columns]; 0: does not exist (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
     DiskWords disk;
     size_t room;   /* bytes of memory that HDF5 needs in a call */
     void *reserve; /* [room] freed before the file is closed */
-    float *frame;  /* [3*segments] scratch of the frames */
     OutSpot spot;
 };
 
@@ -331,22 +402,6 @@ static int make_set(H5File *h, int k)
     if (set < 0) return 0;
     h->set[k] = set;
     return h5_text(set, "units", info->unit) && h5_text(set, "description", info->about);
-}
-
-/* Writes the points that every line element of the polyline joins: [segments-1][2]. */
-static int write_connectivity(H5File *h)
-{
-    const hsize_t dims[2] = {(hsize_t)h->segments - 1, 2};
-    int *pairs = malloc(2 * sizeof *pairs * (size_t)(h->segments));
-    if (!pairs) h->disk.error = ENOMEM;
-    if (!pairs) return 0;
-    for (int i = 0; i + 1 < h->segments; i++) {
-        pairs[2 * i] = i;
-        pairs[2 * i + 1] = i + 1;
-    }
-    const int ok = h5_counts(h->file, "connectivity", 2, dims, pairs);
-    free(pairs);
-    return ok;
 }
 
 /* Writes names and places of the rollers. */
@@ -430,13 +485,9 @@ static int make_file(H5File *h, const ResultsDef *def)
         ok = ok && h5_text(file, "origin_m", text);
     }
     for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
-    const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
-    if (frames < 0) return 0;
-    h->frames = frames;
-    ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
     ok = ok && (!def->geometry || geometry_write(file, def->geometry, &h->disk.error));
-    return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) && write_axes(h) &&
-           H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
+    return ok && write_rollers(h, def) && h5_line(file, "", "connectivity", h->segments, &h->disk.error) &&
+           write_axes(h) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 
 /* Allocates sizes and memory, without a file. */
@@ -448,11 +499,10 @@ static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *d
     h->segments = def->segments;
     h->rollers = def->rollers;
     h->deflate = wants_deflate(def);
-    h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
     h->room = ROOM + (size_t)ROOM_EACH * (size_t)(def->segments + def->rollers);
     h->reserve = malloc(h->room);
-    hawser_status status = h->frame && h->set && h->reserve ? h5_room(h, err) : error_memory(err);
+    hawser_status status = h->set && h->reserve ? h5_room(h, err) : error_memory(err);
     if (!status) status = out_spot(&h->spot, dir, STATES_FILE, err);
     if (status) h5_close(out, NULL);
     return status;
@@ -516,15 +566,15 @@ static int counts_from_start(int fd)
 /* Checks that a file can be continued. */
 static int file_fits(const H5File *h, hid_t file, const char *run)
 {
-    int ok = counts_from_start(h->fd) && states_belong(file, run, NULL);
+    double format;
+    door_numbers(file, "format", 1, &format);
+    int ok = counts_from_start(h->fd) && states_belong(file, run, NULL) && format == STATES_FORMAT;
     for (int k = 0; k < sample_columns && ok; k++) {
         const hid_t set = set_is_written(h, k) ? set_found(h, file, k) : 0;
         ok = set >= 0;
         if (set > 0) H5Dclose(set);
     }
-    const hid_t frames = ok ? door_group(file, "frames") : -1;
-    if (frames >= 0) H5Gclose(frames);
-    return ok && frames >= 0;
+    return ok;
 }
 
 /* Cuts an existing set to its first rows. */
@@ -538,25 +588,10 @@ static int set_resume(H5File *h, int k)
     return H5Dset_extent(h->set[k], dims) >= 0;
 }
 
-/* Finds the frames, which are numbered by their states. */
-static int frames_resume(H5File *h)
-{
-    H5G_info_t info;
-    char name[FRAMES_NAME];
-    h->frames = door_group(h->file, "frames");
-    if (h->frames < 0 || H5Gget_info(h->frames, &info) < 0) return 0;
-    int ok = 1;
-    for (hsize_t k = h->rows; k < info.nlinks && ok; k++) {
-        snprintf(name, sizeof name, "%06ld", (long)k);
-        ok = H5Ldelete(h->frames, name, H5P_DEFAULT) >= 0;
-    }
-    return ok;
-}
-
 /* Makes all changes before the first new state. */
 static int file_cut(H5File *h)
 {
-    int ok = frames_resume(h);
+    int ok = 1;
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
     if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
     if (ok && H5Aexists(h->file, "series") > 0) ok = H5Adelete(h->file, "series") >= 0;
@@ -619,38 +654,12 @@ static int append_row(H5File *h, int k, const hawser_sample *sample)
     return ok;
 }
 
-/* Writes one array of a frame in single precision. Joints are only those between two segments. */
-static int write_frame_set(H5File *h, hid_t group, const SampleColumn *column, const hawser_sample *sample)
-{
-    const int joints = column->per == PER_JOINT, n = joints ? h->segments - 1 : h->segments;
-    const int width = column->width ? column->width : 1;
-    const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
-    const double *const values = (const double *)sample_at(column, sample) + joints;
-    for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    return h5_set(group, column->frame, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
-}
-
-/* Writes the copy that results.xdmf points to. */
-static int write_frame(H5File *h, const hawser_sample *s)
-{
-    char name[FRAMES_NAME];
-    if (h->segments < 2) return 1;
-    snprintf(name, sizeof name, "%06ld", (long)h->rows);
-    const hid_t group = H5Gcreate2(h->frames, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    if (group < 0) return 0;
-    int ok = 1;
-    for (int k = 0; k < sample_columns && ok; k++)
-        if (sample_column[k].frame) ok = write_frame_set(h, group, &sample_column[k], s);
-    H5Gclose(group);
-    return ok;
-}
-
 /* Appends the time, which is the first column, last: a state is valid once it has one. */
 static int append_state(H5File *h, const hawser_sample *s)
 {
     int ok = 1;
     for (int k = 1; k < sample_columns && ok; k++) ok = append_row(h, k, s);
-    return ok && write_frame(h, s) && append_row(h, 0, s);
+    return ok && append_row(h, 0, s);
 }
 
 /* Appends a row to all sets; if the disk fails, the rows before remain. */
@@ -723,7 +732,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     free(h->reserve);
     if (h->file > 0) {
         herr_t code = -1;
-        /* the strong close degree closes the sets and the group too */
+        /* the strong close degree closes the sets too */
         H5E_BEGIN_TRY { code = H5Fclose(h->file); }
         H5E_END_TRY
         status = h5_result(h, code >= 0, err);
@@ -736,7 +745,6 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     if (h->driver > 0) H5FDunregister(h->driver);
     if (h->fd >= 0) close(h->fd);
     free(h->set);
-    free(h->frame);
     free(h);
     return status;
 }
@@ -843,17 +851,37 @@ static hawser_status write_tail(XdmfFile *x, hawser_error *err)
     return status;
 }
 
-/* Writes a reference to an array of results.h5: rows of `width` numbers (0: one, without a dimension of its own),
- * floats or ints of so many bytes. */
-static hawser_status write_item(XdmfFile *x, int rows, int width, int floats, int bytes, const char *group,
-                                const char *set, hawser_error *err)
+/* An array of results.h5: rows of `width` numbers (0: one, without a dimension of its own), floats or ints of so many
+ * bytes. With `items` it is part of a set that grows by so many rows a state: those of one state from `first` on. */
+typedef struct XdmfArray {
+    const char *set;
+    int rows, width, floats, bytes, items, first;
+    long state;
+} XdmfArray;
+
+/* Writes a reference to an array. A state's rows begin with a comment: readers that keep a grid compare the first text
+ * of its points, and would keep those of another state. */
+static hawser_status write_item(XdmfFile *x, const XdmfArray *a, hawser_error *err)
 {
-    char columns[16] = "";
-    if (width > 0) snprintf(columns, sizeof columns, " %d", width);
-    return out_print(&x->out, err,
-                     "     <DataItem Dimensions=\"%d%s\" NumberType=\"%s\" Precision=\"%d\" Format=\"HDF\">"
-                     "results.h5:/%s%s</DataItem>\n",
-                     rows, columns, floats ? "Float" : "Int", bytes, group, set);
+    char width[16] = "";
+    const int across = a->width > 0;
+    if (across) snprintf(width, sizeof width, " %d", a->width);
+    hawser_status s = HAWSER_OK;
+    if (a->items > 0)
+        s = out_print(&x->out, err,
+                      "     <DataItem ItemType=\"HyperSlab\" Dimensions=\"1 %d%s\"><!-- state %ld -->\n"
+                      "     <DataItem Dimensions=\"3 %d\" Format=\"XML\">%ld %d%s 1 1%s 1 %d%s</DataItem>\n",
+                      a->rows, width, a->state, across ? 3 : 2, a->state, a->first, across ? " 0" : "",
+                      across ? " 1" : "", a->rows, width);
+    char rows[48];
+    if (a->items > 0) snprintf(rows, sizeof rows, "%ld %d", a->state + 1, a->items);
+    if (a->items == 0) snprintf(rows, sizeof rows, "%d", a->rows);
+    if (!s)
+        s = out_print(&x->out, err,
+                      "     <DataItem Dimensions=\"%s%s\" NumberType=\"%s\" Precision=\"%d\" Format=\"HDF\">"
+                      "results.h5:/%s</DataItem>\n",
+                      rows, width, a->floats ? "Float" : "Int", a->bytes, a->set);
+    return s || a->items == 0 ? s : out_print(&x->out, err, "     </DataItem>\n");
 }
 
 /* Begins a grid of `cells` cells, whose points are in `connectivity`, [cells][corners]. */
@@ -864,26 +892,24 @@ static hawser_status begin_grid(XdmfFile *x, const char *name, const char *type,
                                 "   <Grid Name=\"%s\" GridType=\"Uniform\">\n"
                                 "    <Topology TopologyType=\"%s\" NumberOfElements=\"%d\" NodesPerElement=\"%d\">\n",
                                 name, type, cells, corners);
-    if (!s) s = write_item(x, cells, corners, 0, 4, "", connectivity, err);
+    if (!s) s = write_item(x, &(XdmfArray){connectivity, cells, corners, 0, 4}, err);
     return s ? s : out_print(&x->out, err, "    </Topology>\n");
 }
 
 /* Writes the points of a grid, [points][3]. */
-static hawser_status write_points(XdmfFile *x, int points, int bytes, const char *group, const char *set,
-                                  hawser_error *err)
+static hawser_status write_points(XdmfFile *x, XdmfArray points, hawser_error *err)
 {
     hawser_status s = out_print(&x->out, err, "    <Geometry GeometryType=\"XYZ\">\n");
-    if (!s) s = write_item(x, points, 3, 1, bytes, group, set, err);
+    if (!s) s = write_item(x, &points, err);
     return s ? s : out_print(&x->out, err, "    </Geometry>\n");
 }
 
 /* Writes a field on points or on cells. */
-static hawser_status write_field(XdmfFile *x, const char *name, int on_cells, int rows, int width, int floats,
-                                 int bytes, const char *group, const char *set, hawser_error *err)
+static hawser_status write_field(XdmfFile *x, const char *name, int on_cells, XdmfArray values, hawser_error *err)
 {
     hawser_status s = out_print(&x->out, err, "    <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n", name,
-                                width ? "Vector" : "Scalar", on_cells ? "Cell" : "Node");
-    if (!s) s = write_item(x, rows, width, floats, bytes, group, set, err);
+                                values.width ? "Vector" : "Scalar", on_cells ? "Cell" : "Node");
+    if (!s) s = write_item(x, &values, err);
     return s ? s : out_print(&x->out, err, "    </Attribute>\n");
 }
 
@@ -891,9 +917,9 @@ static hawser_status write_route(XdmfFile *x, int n, hawser_error *err)
 {
     if (n < 2) return HAWSER_OK;
     hawser_status s = begin_grid(x, "route", "Polyline", n - 1, 2, "geometry/route/line", err);
-    if (!s) s = write_points(x, n, 8, "geometry/route/", "position", err);
-    if (!s) s = write_field(x, "s", 0, n, 0, 1, 8, "geometry/route/", "s", err);
-    if (!s) s = write_field(x, "curvature", 0, n, 0, 1, 8, "geometry/route/", "curvature", err);
+    if (!s) s = write_points(x, (XdmfArray){"geometry/route/position", n, 3, 1, 8}, err);
+    if (!s) s = write_field(x, "s", 0, (XdmfArray){"geometry/route/s", n, 0, 1, 8}, err);
+    if (!s) s = write_field(x, "curvature", 0, (XdmfArray){"geometry/route/curvature", n, 0, 1, 8}, err);
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
@@ -902,9 +928,9 @@ static hawser_status write_skin(XdmfFile *x, const Skin *skin, hawser_error *err
     const int n = skin->n_triangles;
     if (n == 0) return HAWSER_OK;
     hawser_status s = begin_grid(x, "equipment", "Triangle", n, 3, "geometry/mesh/triangles", err);
-    if (!s) s = write_points(x, skin->n_points, 4, "geometry/mesh/", "points", err);
-    if (!s) s = write_field(x, "part", 1, n, 0, 0, 4, "geometry/mesh/", "part", err);
-    if (!s) s = write_field(x, "item", 1, n, 0, 0, 4, "geometry/mesh/", "item", err);
+    if (!s) s = write_points(x, (XdmfArray){"geometry/mesh/points", skin->n_points, 3, 1, 4}, err);
+    if (!s) s = write_field(x, "part", 1, (XdmfArray){"geometry/mesh/part", n, 0, 0, 4}, err);
+    if (!s) s = write_field(x, "item", 1, (XdmfArray){"geometry/mesh/item", n, 0, 0, 4}, err);
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
@@ -951,23 +977,21 @@ hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def,
     return write_tail(x, err);
 }
 
-/* Writes the grid of one state: cells join neighbouring centres, so that data of joints 1..n-1 belong to them. The
- * position is repeated as data, for readers that keep the first frame's points. */
-static hawser_status results_xdmf_write_frame(XdmfFile *x, long frame, double t, hawser_error *err)
+/* Writes the grid of one state: cells join neighbouring centres, so that data of joints 1..n-1 belong to them. */
+static hawser_status write_state(XdmfFile *x, long state, double t, hawser_error *err)
 {
     const int n = x->segments;
-    char group[32];
-    snprintf(group, sizeof group, "frames/%06ld/", frame);
     hawser_status s = begin_grid(x, "cable", "Polyline", n - 1, 2, "connectivity", err);
     if (!s) s = out_print(&x->out, err, "    <Time Value=\"%.12g\"/>\n", t);
-    if (!s) s = write_points(x, n, 4, group, "position", err);
+    if (!s) s = write_points(x, (XdmfArray){"position", n, 3, 1, 8, n, 0, state}, err);
     for (int k = 0; k < sample_columns && !s; k++) {
         const SampleColumn *const c = &sample_column[k];
         const int cells = c->per == PER_JOINT;
-        if (c->frame) s = write_field(x, c->frame, cells, n - cells, c->width, 1, 4, group, c->frame, err);
+        const XdmfArray values = {c->set, n - cells, c->width, 1, c->single ? 4 : 8, n + cells, cells, state};
+        if (c->drawn) s = write_field(x, c->set, cells, values, err);
     }
-    if (!s && x->sizes) s = write_field(x, "diameter", 0, n, 0, 1, 8, "chain/", "diameter", err);
-    if (!s && x->sizes) s = write_field(x, "part", 0, n, 0, 0, 4, "chain/", "part", err);
+    if (!s && x->sizes) s = write_field(x, "diameter", 0, (XdmfArray){"chain/diameter", n, 0, 1, 8}, err);
+    if (!s && x->sizes) s = write_field(x, "part", 0, (XdmfArray){"chain/part", n, 0, 0, 4}, err);
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
@@ -977,7 +1001,7 @@ hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawse
     errno = 0;
     if (fseek(x->out.f, x->end, SEEK_SET)) return out_error(x->out.spot.path, errno, err);
     hawser_status status = HAWSER_OK;
-    for (int i = 0; i < n && !status; i++) status = results_xdmf_write_frame(x, first + i, t[i], err);
+    for (int i = 0; i < n && !status; i++) status = write_state(x, first + i, t[i], err);
     if (status) return status;
     const long end = ftell(x->out.f);
     status = write_tail(x, err);

@@ -100,25 +100,11 @@ int states_belong(hid_t file, const char *run, const char *series);
 /* Makes or opens a group of that path with all levels above it; < 0: it fails. h5_leave follows. */
 hid_t h5_group(hid_t parent, const char *path);
 void h5_leave(hid_t group);
-/* Writes a whole constant set of counts. */
-int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values);
-/* A dimension of sets: a scale of n places counted from 0; n < 0: the existing set of that name; 0: none. */
-typedef struct SetAxis {
-    const char *name;
-    int n, plain; /* plain: its places have no meaning, so that netCDF shows no variable */
-    const char *about;
-} SetAxis;
-
-enum { AXES_MOST = 8, AXIS_USES_MOST = 64 };
-
-/* A set's dimensions as indices of axes; -1: no axis. */
-typedef struct SetAxisUse {
-    const char *set;
-    int rank, axis[3];
-} SetAxisUse;
-
-/* Writes the sets of a table, from the struct at `from`, below `parent` and behind `prefix` in their paths. Those
- * without items are left out. */
+/* Writes the points that each element of a polyline of n points joins, for readers of XDMF, into a group ("" is the
+ * parent). *error becomes ENOMEM if hawser itself has no memory. */
+int h5_line(hid_t parent, const char *group, const char *name, int n, int *error);
+/* Writes the sets of a table, from the struct at `from`, below `parent` and behind `prefix` in their paths, with the
+ * dimensions of each group. Sets without items are left out. Sets of one group follow each other in the table. */
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);
 /* Writes the groups "geometry" and "chain" (results_geometry.c). *error becomes ENOMEM if hawser itself has no memory.
  */

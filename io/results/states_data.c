@@ -12,70 +12,81 @@
 #include "core/file.h"
 #include "io/results/results_h5.h"
 
-#define OF(array, n) .values = offsetof(Geometry, array), .count = offsetof(Geometry, n)
+#define OF(array, n, items) .values = offsetof(Geometry, array), .count = offsetof(Geometry, n), .axis = items
 
 const FixedSet geometry_set[] = {
-    {"geometry/route/s", FIXED_NUMBER, OF(route_s, n_route), 0, "m", "arc length along the route"},
-    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route), 3, "m", "x y z of the route's line"},
-    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route), 0, "1/m",
+    {"geometry/route/s", FIXED_NUMBER, OF(route_s, n_route, "s"), 0, "m", "arc length along the route"},
+    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route, "s"), 3, "m", "x y z of the route's line",
+     "xyz"},
+    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route, "s"), 0, "1/m",
      "of the route's line; at a jump that of the piece ahead"},
-    {"geometry/rollers/name", FIXED_NAME, OF(roller_name, n_rollers), 0, "",
+    {"geometry/rollers/name", FIXED_NAME, OF(roller_name, n_rollers, "roller"), 0, "",
      "rollers and obstacles, as in roller_load"},
-    {"geometry/rollers/kind", FIXED_NAME, OF(roller_kind, n_rollers), 0, "", "roller, hold-down, box, bell-mouth"},
-    {"geometry/rollers/s", FIXED_NUMBER, OF(roller_s, n_rollers), 0, "m", "place along the route; NaN: by coordinates"},
-    {"geometry/rollers/position", FIXED_NUMBER, OF(roller_position, n_rollers), 3, "m", "centres, where they begin"},
-    {"geometry/rollers/axis", FIXED_NUMBER, OF(roller_axis, n_rollers), 3, "1", "unit vectors"},
-    {"geometry/rollers/radius", FIXED_NUMBER, OF(roller_radius, n_rollers), 0, "m",
+    {"geometry/rollers/kind", FIXED_NAME, OF(roller_kind, n_rollers, "roller"), 0, "",
+     "roller, hold-down, box, bell-mouth"},
+    {"geometry/rollers/s", FIXED_NUMBER, OF(roller_s, n_rollers, "roller"), 0, "m",
+     "place along the route; NaN: by coordinates"},
+    {"geometry/rollers/position", FIXED_NUMBER, OF(roller_position, n_rollers, "roller"), 3, "m",
+     "centres, where they begin", "xyz"},
+    {"geometry/rollers/axis", FIXED_NUMBER, OF(roller_axis, n_rollers, "roller"), 3, "1", "unit vectors", "xyz"},
+    {"geometry/rollers/radius", FIXED_NUMBER, OF(roller_radius, n_rollers, "roller"), 0, "m",
      "at the bottom of a groove; of a box half its smallest size, of a bell-mouth that of its section"},
-    {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers), 0, "m", "length along the axis"},
-    {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers), 0, "m", "depth of the groove; 0: none"},
-    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N", "rated load; NaN: not given"},
-    {"geometry/obstacles/roller", FIXED_COUNT, OF(obstacle_roller, n_obstacles), 0, "1", "which of the rollers it is"},
-    {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles), 3, "1", "unit vector across the axis"},
-    {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles), 3, "m",
-     "along the axis, along side, and square to both"},
-    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles), 0, "m",
+    {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers, "roller"), 0, "m", "length along the axis"},
+    {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers, "roller"), 0, "m",
+     "depth of the groove; 0: none"},
+    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers, "roller"), 0, "N",
+     "rated load; NaN: not given"},
+    {"geometry/obstacles/roller", FIXED_COUNT, OF(obstacle_roller, n_obstacles, "obstacle"), 0, "1",
+     "which of the rollers it is"},
+    {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles, "obstacle"), 3, "1",
+     "unit vector across the axis", "xyz"},
+    {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles, "obstacle"), 3, "m",
+     "along the axis, along side, and square to both", "direction"},
+    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles, "obstacle"), 0, "m",
      "radius of its edges; of a bell-mouth that of its section"},
-    {"geometry/obstacles/ring", FIXED_NUMBER, OF(obstacle_ring, n_obstacles), 0, "m",
+    {"geometry/obstacles/ring", FIXED_NUMBER, OF(obstacle_ring, n_obstacles, "obstacle"), 0, "m",
      "of a bell-mouth: from the axis to the middle of its round section; NaN: a box"},
-    {"geometry/conveyors/name", FIXED_NAME, OF(conveyor_name, n_conveyors), 0, "", "of every conveyor"},
-    {"geometry/conveyors/from", FIXED_NUMBER, OF(conveyor_from, n_conveyors), 0, "m", "along the route"},
-    {"geometry/conveyors/to", FIXED_NUMBER, OF(conveyor_to, n_conveyors), 0, "m", "along the route"},
-    {"geometry/conveyors/points", FIXED_NUMBER, OF(conveyor_points, n_conveyors), 6, "m",
-     "where the cable enters and where it leaves, x y z each"},
-    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m",
-     "corners of the triangles, single precision"},
-    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1",
-     "three corners each, counter-clockwise from outside"},
-    {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
+    {"geometry/conveyors/name", FIXED_NAME, OF(conveyor_name, n_conveyors, "conveyor"), 0, "", "of every conveyor"},
+    {"geometry/conveyors/from", FIXED_NUMBER, OF(conveyor_from, n_conveyors, "conveyor"), 0, "m", "along the route"},
+    {"geometry/conveyors/to", FIXED_NUMBER, OF(conveyor_to, n_conveyors, "conveyor"), 0, "m", "along the route"},
+    {"geometry/conveyors/points", FIXED_NUMBER, OF(conveyor_points, n_conveyors, "conveyor"), 6, "m",
+     "where the cable enters and where it leaves, x y z each", "coordinate"},
+    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points, "point"), 3, "m",
+     "corners of the triangles, single precision", "xyz"},
+    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles, "triangle"), 3, "1",
+     "three corners each, counter-clockwise from outside", "corner"},
+    {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles, "triangle"), 0, "1",
      "part of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
-    {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
-    {"environment/points", FIXED_NUMBER, OF(seen.mesh.vertex, seen.mesh.n_vertices), 3, "m",
-     "corners of its triangles"},
-    {"environment/triangles", FIXED_COUNT, OF(seen.mesh.triangle, seen.mesh.n_triangles), 3, "1",
-     "three points each; three equal ones: a point of a cloud"},
-    {"environment/layer", FIXED_COUNT, OF(seen.mesh.layer, seen.mesh.n_triangles), 0, "1", "of every triangle"},
-    {"environment/layer_name", FIXED_NAME, OF(seen.layer_name, seen.mesh.n_layers), 0, "", "of every layer"},
-    {"chain/length", FIXED_NUMBER, OF(length, n_segments), 0, "m", "of every segment, unstretched"},
-    {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments), 0, "m", "of every segment"},
-    {"chain/part", FIXED_COUNT, OF(part, n_segments), 0, "1", "of every segment: 0 cable, 1 rope"},
-    {"chain/piece", FIXED_COUNT, OF(piece, n_segments), 0, "1", "which piece of the chain a segment is of"},
-    {"chain/piece_name", FIXED_NAME, OF(piece_name, n_pieces), 0, "", "cable or rope of every piece"},
+    {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles, "triangle"), 0, "1", "which of these"},
+    {"environment/points", FIXED_NUMBER, OF(seen.mesh.vertex, seen.mesh.n_vertices, "point"), 3, "m",
+     "corners of its triangles", "xyz"},
+    {"environment/triangles", FIXED_COUNT, OF(seen.mesh.triangle, seen.mesh.n_triangles, "triangle"), 3, "1",
+     "three points each; three equal ones: a point of a cloud", "corner"},
+    {"environment/layer", FIXED_COUNT, OF(seen.mesh.layer, seen.mesh.n_triangles, "triangle"), 0, "1",
+     "of every triangle"},
+    {"environment/layer_name", FIXED_NAME, OF(seen.layer_name, seen.mesh.n_layers, "layer_number"), 0, "",
+     "of every layer"},
+    {"chain/length", FIXED_NUMBER, OF(length, n_segments, "segment"), 0, "m", "of every segment, unstretched"},
+    {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments, "segment"), 0, "m", "of every segment"},
+    {"chain/part", FIXED_COUNT, OF(part, n_segments, "segment"), 0, "1", "of every segment: 0 cable, 1 rope"},
+    {"chain/piece", FIXED_COUNT, OF(piece, n_segments, "segment"), 0, "1", "which piece of the chain a segment is of"},
+    {"chain/piece_name", FIXED_NAME, OF(piece_name, n_pieces, "piece_number"), 0, "", "cable or rope of every piece"},
 };
 
 const int geometry_sets = sizeof geometry_set / sizeof *geometry_set;
 
-#define SURFACE(array) .values = offsetof(GeometrySurface, array), .count = offsetof(GeometrySurface, n)
+#define SURFACE(array)                                                                                                 \
+    .values = offsetof(GeometrySurface, array), .count = offsetof(GeometrySurface, n), .axis = "point"
 
 const FixedSet surface_set[] = {
     {"points", FIXED_NUMBER, SURFACE(points), 3, "m",
-     "along its way: the middle of its bottom; of a duct, of its bore; of a V, where its planes meet"},
-    {"up", FIXED_NUMBER, SURFACE(up), 3, "1", "unit vectors square to the way there, upward in its section"},
+     "along its way: the middle of its bottom; of a duct, of its bore; of a V, where its planes meet", "xyz"},
+    {"up", FIXED_NUMBER, SURFACE(up), 3, "1", "unit vectors square to the way there, upward in its section", "xyz"},
 };
 
 const int surface_sets = sizeof surface_set / sizeof *surface_set;
 
-#define OVER(line, member) .values = offsetof(Envelope, line.member), .count = offsetof(Envelope, line.n)
+#define OVER(line, member) .values = offsetof(Envelope, line.member), .count = offsetof(Envelope, line.n), .axis = "s"
 
 const FixedSet envelope_set[] = {
     {"envelope/arc/s", FIXED_NUMBER, OVER(arc, s), 0, "m", "of every joint from the tail, unstretched"},
@@ -117,23 +128,6 @@ const FixedSet envelope_set[] = {
 };
 
 const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
-
-/* Writes the pairs of points that a polyline's elements join, for readers of XDMF. */
-static int line_write(hid_t file, const Geometry *g, int *error)
-{
-    const hsize_t dims[2] = {(hsize_t)g->n_route - 1, 2};
-    if (g->n_route < 2) return 1;
-    int *const pairs = malloc(2 * sizeof *pairs * (size_t)g->n_route);
-    if (!pairs) *error = ENOMEM;
-    if (!pairs) return 0;
-    for (int i = 0; i + 1 < g->n_route; i++) {
-        pairs[2 * i] = i;
-        pairs[2 * i + 1] = i + 1;
-    }
-    const int ok = h5_counts(file, "geometry/route/line", 2, dims, pairs);
-    free(pairs);
-    return ok;
-}
 
 /* Writes a number if it is known. */
 static int number_write(hid_t object, const char *name, double value)
@@ -192,7 +186,8 @@ int geometry_write(hid_t file, const Geometry *g, int *error)
 {
     const hid_t group = h5_group(file, "geometry");
     int ok = group >= 0 && h5_text(group, "description", "equipment around the cable, at its initial places") &&
-             h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
+             h5_fixed(file, "", geometry_sets, geometry_set, g) &&
+             h5_line(file, "geometry/route", "line", g->n_route, error);
     if (group >= 0) h5_leave(group);
     for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
     ok = ok && seen_write(file, &g->seen) && reel_write(file, &g->reel) && winch_write(file, &g->winch);

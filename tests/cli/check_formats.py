@@ -3,7 +3,7 @@
 
 tests/data/format-1.tar.gz is a run of cases/capstan.yaml with 22 segments, as format 1 has it: roller names as texts of one
 length, no dimension scales, `unit`, no `format` in summary.json. It was converted from a folder of format 2, whose page had
-the same data to the byte.
+the same data to the byte. format-2.tar.gz is the same run by the last program of format 2.
 
 Usage: check_formats.py HAWSER SOURCE
 """
@@ -22,10 +22,10 @@ def page_data(hawser, folder):
     return json.loads(re.search(r'id="hawser-data">(.*?)</script>', page, re.S).group(1))["runs"][0]
 
 
-def check_old_results(hawser, source, work):
-    with tarfile.open(source / "tests/data/format-1.tar.gz") as archive:
+def check_old_results(hawser, source, work, name):
+    with tarfile.open(source / f"tests/data/{name}.tar.gz") as archive:
         archive.extractall(work)
-    data = page_data(hawser, work / "format-1")
+    data = page_data(hawser, work / name)
     assert data["notes"] == [], data["notes"]
     assert [r["name"] for r in data["geometry"]["rollers"]] == ["drum"]
     assert data["chain"]["segments"] == 22 and data["chain"]["piece_names"] == ["rope"]
@@ -55,7 +55,8 @@ def check_page(source):
 def main(hawser, source):
     source = pathlib.Path(source)
     with tempfile.TemporaryDirectory() as work:
-        check_old_results(hawser, source, pathlib.Path(work))
+        for name in ("format-1", "format-2"):
+            check_old_results(hawser, source, pathlib.Path(work), name)
     check_page(source)
 
 

@@ -131,7 +131,8 @@ def sets(root):
             for _, _, name, unit, about, per, width, single, _ in samples(root) if name]
     groups, source = {"": rows}, tree.read(root, SETS)
     for table, body in re.findall(r"^const FixedSet (\w+)\[\] = \{(.*?)^\};", source, re.M | re.S):
-        for path, kind, width, unit, about in re.findall(r'\{"([^"]+)", FIXED_(\w+), \w+\([^()]*\), (\d), "([^"]*)",\s*"((?:[^"]|"\s*")*)"\}', body):
+        for path, kind, width, unit, about in re.findall(
+                r'\{"([^"]+)", FIXED_(\w+), \w+\([^()]*\), (\d), "([^"]*)",\s*"((?:[^"]|"\s*")*)"(?:,\s*"\w+")?\}', body):
             group, name = ("/" + path if table != "surface_set" else "/geometry/surfaces/K/" + path).rsplit("/", 1)
             shape = "n" + (" x 64" if kind == "NAME" else f" x {width}" if width != "0" else "")
             groups.setdefault(group[1:], []).append((f"`{name}`", shape, unit, re.sub(r'"\s*"', "", about)))

@@ -387,27 +387,49 @@ TEST_WITH(test_stopped, fixture_new, fixture_free)
     hawser_sim_free(sim);
 }
 
-/* Every array that results.xdmf names is in results.h5, and as large as it says. */
+/* Every array that results.xdmf names is in results.h5, and as large as it says: of the sets that grow there are as
+ * many rows as a state needs or more, and the selection of it lies within the set. */
 TEST(test_xdmf)
 {
     const Fixture *const f = *state;
     char *const text = read_text(fixture_path(f, "results.xdmf"));
     const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
     int items = 0;
-    for (const char *p = text; (p = strstr(p, "<DataItem Dimensions=\"")); p++, items++) {
-        unsigned long long said[2] = {0};
+    unsigned long long slab[9];
+    int selected = 0, shown = -1; /* numbers of the selection that comes before its set; states so far */
+    for (const char *p = text; (p = strstr(p, "<DataItem Dimensions=\"")); p++) {
+        unsigned long long said[3] = {0};
         char path[128];
         hsize_t dims[3] = {0};
-        const int rank = sscanf(p, "<DataItem Dimensions=\"%llu %llu", &said[0], &said[1]);
-        assert_int_equal(sscanf(strstr(p, "results.h5:"), "results.h5:%127[^<]", path), 1);
+        const char *const content = strchr(p, '>') + 1;
+        const int rank = sscanf(p, "<DataItem Dimensions=\"%llu %llu %llu", &said[0], &said[1], &said[2]);
+        if (!strncmp(content - 6, "\"XML\">", 6)) {
+            selected = sscanf(content, "%llu %llu %llu %llu %llu %llu %llu %llu %llu", &slab[0], &slab[1], &slab[2],
+                              &slab[3], &slab[4], &slab[5], &slab[6], &slab[7], &slab[8]);
+            continue;
+        }
+        assert_int_equal(sscanf(content, "results.h5:%127[^<]", path), 1);
+        shown += !strcmp(path, "/position");
+        items++;
         const hid_t set = H5Dopen2(file, path, H5P_DEFAULT), space = H5Dget_space(set);
         if (set < 0) fail_msg("no set %s", path);
         if (H5Sget_simple_extent_dims(space, dims, NULL) != rank) fail_msg("%s: not of rank %d", path, rank);
-        for (int k = 0; k < rank; k++) assert_int_equal(dims[k], said[k]);
+        if (selected) {
+            check_at_least(dims[0], said[0]);
+            assert_int_equal(selected, 3 * rank);
+            assert_int_equal(slab[0], shown);
+            for (int k = 0; k < rank; k++) {
+                assert_int_equal(slab[rank + k], 1);
+                check_at_most(slab[k] + slab[2 * rank + k], said[k]);
+            }
+        }
+        for (int k = selected ? 1 : 0; k < rank; k++) assert_int_equal(dims[k], said[k]);
+        selected = 0;
         H5Sclose(space), H5Dclose(set);
     }
     H5Fclose(file);
-    check_above(items, 51 * 9); /* nine a state */
+    assert_int_equal(shown, 51 - 1);
+    check_above(items, 51 * 8); /* eight a state */
     check_has(text, "<Grid Name=\"geometry\" GridType=\"Tree\">");
     check_has(text, "results.h5:/geometry/route/position");
     check_has(text, "results.h5:/geometry/mesh/triangles");

@@ -196,15 +196,17 @@ def test_a_failed_integration_keeps_what_it_had(pull):
     assert simulation.summary["outcome"] == "failed"
 
 
-def test_states_of_format_1(tmp_path):
-    """Names as texts of one length and `unit` in place of `units`, in a folder of before format 2."""
+@pytest.mark.parametrize("number", [1, 2])
+def test_states_of_older_formats(tmp_path, number):
+    """Format 1: names as texts of one length and `unit` in place of `units`. Format 2: a second copy of each state in `frames`."""
     h5py = pytest.importorskip("h5py")
-    with tarfile.open(DATA / "format-1.tar.gz") as archive:
+    with tarfile.open(DATA / f"format-{number}.tar.gz") as archive:
         archive.extractall(tmp_path)
-    with h5py.File(tmp_path / "format-1" / "results.h5") as file:
-        assert "format" not in file.attrs and file["roller_name"].dtype == "S64" and "unit" in file["tension"].attrs
-    result = hawser.Result(tmp_path / "format-1")
-    assert "format" not in result.summary and result.outcome == "finished"
+    with h5py.File(tmp_path / f"format-{number}" / "results.h5") as file:
+        assert file.attrs.get("format", 1) == number and ("frames" in file) == (number == 2)
+        assert (file["roller_name"].dtype == "S64", "unit" in file["tension"].attrs) == (number == 1, number == 1)
+    result = hawser.Result(tmp_path / f"format-{number}")
+    assert ("format" in result.summary) == (number > 1) and result.outcome == "finished"
     states = result.states
     assert np.shape(states["position"]) == (3, 22, 3) and float(np.max(states["tension"])) == pytest.approx(1864.317, abs=1e-3)
     if hasattr(states, "coords"):
