@@ -398,8 +398,9 @@ static hawser_status solve(const Setup *setup, double apart, Calculator *c, haws
     if (!status) status = plan_build(&c->def, &c->plan, err);
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k] || isnan(apart)) continue;
+        const Pull *const like[2] = {&c->plan.way[k].pull, &c->plan.way[k].rest};
         status = apart < INFINITY ? plan_heads(&c->def, k, apart, &c->heads[k], err)
-                                  : plan_peaks(&c->def, k, &c->heads[k], err);
+                                  : plan_peaks(&c->def, k, like, &c->heads[k], err);
     }
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         double relief = 0;
@@ -534,6 +535,20 @@ hawser_status calculator_vary(const Setup *setup, const Calculator *base, const 
     if (!status) status = places_vary(setup, base, by, out, err);
     for (int i = 0; i < by->n_steps && !status; ++i) out->step[out->def.n_steps++] = by->step[i];
     return status ? status : solve(setup, apart, out, err);
+}
+
+double calculator_enough(const Setup *setup, const Calculator *c, int way, const int *skip)
+{
+    int judged = 0;
+    double most = 0;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[way][i];
+        const int tension = l->kind == HAWSER_LIMIT_PULL || l->kind == HAWSER_LIMIT_RESTART;
+        if (!tension || !l->judged || (skip && skip[i])) continue;
+        ++judged;
+        most = fmax(most, l->limit);
+    }
+    return judged == 2 && !setup->def->strand.rope ? (1 + 1e-6) * most : 0;
 }
 
 void calculator_free(Calculator *c)

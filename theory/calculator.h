@@ -157,6 +157,10 @@ typedef struct Variation {
  * result must be freed likewise. */
 hawser_status calculator_vary(const Setup *setup, const Calculator *base, const Variation *by, Calculator *out,
                               hawser_error *err);
+/* A tension, N, that breaks a limit for certain: searches need no values beyond it. It is known where the cable's
+ * tension is judged both moving and from rest. skip[HAWSER_LIMITS_MAX]: limits that do not count; NULL: none. 0: none
+ * is known. */
+double calculator_enough(const Setup *setup, const Calculator *c, int way, const int *skip);
 /* The limit that is broken most, or that is nearest to it; NULL if none is judged. */
 const hawser_limit *calculator_worst(const Calculator *c, int way);
 /* Checks whether all limits of a direction that can be judged hold and the cable is in tension everywhere. */

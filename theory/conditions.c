@@ -678,7 +678,7 @@ static hawser_status without_belts(const Setup *setup, const Calculator *c, int 
         if (!*first) *first = &setup->pusher[i];
     }
     def.push = def.push_back = push;
-    hawser_status status = *first ? plan_peaks(&def, way, &heads, err) : HAWSER_OK;
+    hawser_status status = *first ? plan_peaks(&def, way, NULL, &heads, err) : HAWSER_OK;
     if (!status && *first) {
         *more = heads.peak.force - c->heads[way].peak.force;
         plan_heads_free(&heads);

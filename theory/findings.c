@@ -279,33 +279,26 @@ static void machines_push(const Calculator *c, const Pull *pull, Finding *f)
 {
     for (int i = 0; i < c->def.n_steps; ++i) {
         const PullStep *const step = &c->def.step[i];
-        const double taken = fmin(step->force, fmax(0, pull_at(pull, step->at).tension));
-        if (step->kind == STEP_TAKE && taken > f->value) *f = finding_at(c->route, taken, step->at);
+        const double most = step->kind == STEP_TAKE ? step->force : 0;
+        const double taken = most > f->value ? fmin(most, fmax(0, pull_at(pull, step->at).tension)) : 0;
+        if (taken > f->value) *f = finding_at(c->route, taken, step->at);
     }
 }
 
 /* Finds the largest push of conveyors, machines (moving or from rest, PN2) and the feed. */
-static hawser_status largest_push(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
+static Finding largest_push(const Setup *setup, const Calculator *c, int way)
 {
-    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Finding f = {.value = c->def.feed};
     snprintf(f.where, sizeof f.where, "%s", c->def.feed > 0 ? "theory.feed" : "");
     machines_push(c, &c->plan.way[way].pull, &f);
-    if (has_machines(c)) {
-        Pull rest;
-        const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
-        if (status) return status;
-        machines_push(c, &rest, &f);
-        pull_clear(&rest);
-    }
+    machines_push(c, &c->plan.way[way].rest, &f);
     for (int i = 0; i < setup->n_pushers; ++i) {
         const double force = fabs(c->push[way][i].force);
         if (setup->pusher[i].kind != PUSH_BELT || force < f.value) continue;
         f.value = force;
         snprintf(f.where, sizeof f.where, "%s", setup->pusher[i].name);
     }
-    *out = f;
-    return HAWSER_OK;
+    return f;
 }
 
 /* Finds all of these for one direction of a calculator; `finding` contains the pull on the rope. Errors: MEMORY. */
@@ -314,12 +307,11 @@ static hawser_status findings_of_way(const Setup *setup, const Route *route, con
 {
     const PlanWay *const w = &c->plan.way[way];
     /* the eye passes every place, moving and from rest, with the cable's tension there (LI10a) */
-    finding[HAWSER_LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
-                                           ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
-                                           : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
+    const Pull *const more = w->rest.max_tension > w->pull.max_tension ? &w->rest : &w->pull;
+    finding[HAWSER_LIMIT_ATTACHMENT] = finding_on(route, more->max_tension, more->max_at, more->max_piece);
     finding[HAWSER_LIMIT_WINCH].value = finding[HAWSER_LIMIT_ROPE].value;
-    hawser_status status = largest_push(setup, c, way, &finding[HAWSER_LIMIT_PUSH], err);
-    if (!status) status = way_run_away(setup, route, c, way, &finding[HAWSER_LIMIT_RUN_AWAY], err);
+    finding[HAWSER_LIMIT_PUSH] = largest_push(setup, c, way);
+    hawser_status status = way_run_away(setup, route, c, way, &finding[HAWSER_LIMIT_RUN_AWAY], err);
     if (!status) status = findings_of_push(setup, route, &w->pull, finding, err);
     if (status) return status;
     findings_trip(setup, w->force, finding[HAWSER_LIMIT_ROPE].value, c->beyond[way], &finding[HAWSER_LIMIT_TRIP]);
@@ -414,10 +406,8 @@ static Finding bend_finding(const Calculator *c, int way)
 /* Finds the largest sidewall pressure, moving or from rest; a straight route has none. */
 static Finding sidewall_finding(const Route *route, const PlanWay *way)
 {
-    const Pull *const pull = &way->pull;
+    const Pull *const pull = way->rest.max_sidewall > way->pull.max_sidewall ? &way->rest : &way->pull;
     Finding f = finding_on(route, pull->max_sidewall, pull->sidewall_at, pull->sidewall_piece);
-    if (way->restart_sidewall > pull->max_sidewall)
-        f = finding_on(route, way->restart_sidewall, way->restart_sidewall_at, way->restart_sidewall_piece);
     if (!(f.value > 0)) *f.where = 0;
     return f;
 }
@@ -556,7 +546,7 @@ static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error 
         if (c->def.skip[k]) continue;
         Finding f[LIMIT_KINDS] = {[HAWSER_LIMIT_ROLLER_PEAK] = {.absent = 1}, [HAWSER_LIMIT_ALPHA] = {.absent = 1}};
         f[HAWSER_LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
-        f[HAWSER_LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
+        f[HAWSER_LIMIT_RESTART] = finding_on(route, way->rest.max_tension, way->rest.max_at, way->rest.max_piece);
         f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(setup, c, way);
         f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(c, k);
@@ -937,10 +927,12 @@ static hawser_status ask_early(const Asked *a, Found *out, hawser_error *err)
 
 static hawser_status ask(const Asked *a, Away why, Found *out, hawser_error *err)
 {
-    Pull pull;
-    const hawser_status status = pull_at_least(a, (HeldBy){NULL, NULL}, &pull, err);
+    const int known = why == AWAY_AS_IT_IS && !plan_slackens(&a->def); /* the plan's own pull has the least tension */
+    const Pull *const own = &a->c->plan.way[a->way].pull;
+    Pull pull = {0};
+    const hawser_status status = known ? HAWSER_OK : pull_at_least(a, (HeldBy){NULL, NULL}, &pull, err);
     if (status) return status;
-    const Pushed now = pushed_in(a, &pull), winch = pushed_at_winch(a, &pull);
+    const Pushed now = pushed_in(a, known ? own : &pull), winch = pushed_at_winch(a, known ? own : &pull);
     found_take(out, now, why, 0);
     found_take(out, winch, AWAY_OVERFED, 0);
     pull_clear(&pull);

@@ -52,12 +52,13 @@ static int varied(Question *q, int end, const Variation *by, Calculator *c)
  * hold may break farther on. */
 static void touched_find(Question *q)
 {
+    int any = 0;
     for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 0;
     for (int i = 0; i < q->base->n_limits; ++i) {
         const hawser_limit *const l = &q->base->limit[q->way][i];
-        q->untouched[i] = l->judged && !l->ok;
+        any |= q->untouched[i] = l->judged && !l->ok;
     }
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2 && any; ++k) {
         Calculator c;
         const Variation by = variation_of(q, k ? 2 : 0.5);
         const int solved = varied(q, 0, &by, &c);
@@ -99,35 +100,20 @@ static void stays_find(const Question *q, const Calculator *c, char stays[INVERS
     }
 }
 
-/* Finds a tension bound for the search: where the cable's tension is judged both moving and from rest, values beyond
- * both limits are not needed, which saves following a thousandfold friction. */
-static void enough_find(Question *q)
-{
-    int judged = 0;
-    double most = 0;
-    for (int i = 0; i < q->base->n_limits; ++i) {
-        const hawser_limit *const l = &q->base->limit[q->way][i];
-        const int tension = l->kind == HAWSER_LIMIT_PULL || l->kind == HAWSER_LIMIT_RESTART;
-        if (!tension || !l->judged || q->untouched[i]) continue;
-        ++judged;
-        most = fmax(most, l->limit);
-    }
-    q->enough = judged == 2 ? (1 + 1e-6) * most : 0;
-}
-
 /* Checks whether everything holds. For friction and length, whose maximum is searched, it must also hold at the ends of
- * the assumed ranges. *end: the first at which it does not. */
-static int holds_at(Question *q, const Variation *by, int *end)
+ * the assumed ranges. *c: of the first end at which it does not, or of the last; calculator_free must follow. *solved:
+ * whether that has a result. */
+static int holds_at(Question *q, const Variation *by, Calculator *c, int *solved)
 {
     const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH,
               ends = most && !q->taken ? q->ends->n : 1;
     int holds = 1;
+    *c = (Calculator){0};
     for (int k = 0; k < ends && holds; ++k) {
-        Calculator c;
         if (by->friction != 1 && q->ends->of_friction[k]) continue;
-        holds = varied(q, k, by, &c) && keeps(q, &c);
-        calculator_free(&c);
-        *end = k;
+        calculator_free(c);
+        *solved = varied(q, k, by, c);
+        holds = *solved && keeps(q, c);
     }
     return holds;
 }
@@ -135,31 +121,40 @@ static int holds_at(Question *q, const Variation *by, int *end)
 static int question_holds(void *what, double x)
 {
     Question *const q = what;
-    int end;
+    Calculator c;
+    int solved;
     Variation by = variation_of(q, x);
     by.enough = q->enough;
-    return !q->status && holds_at(q, &by, &end);
+    if (q->status) return 0;
+    const int holds = holds_at(q, &by, &c, &solved);
+    calculator_free(&c);
+    return holds;
 }
 
-/* Finds the most broken limit and its place. */
-static void binding_find(Question *q, const Variation *by, char binds[24], char where[80])
+/* Writes the most broken limit and its place; c: of holds_at, 0 for one without a result. */
+static void binding_say(const Question *q, const Calculator *c, char binds[24], char where[80])
 {
-    Calculator c;
-    int end = 0;
     *binds = *where = 0;
-    holds_at(q, by, &end);
-    if (!varied(q, end, by, &c)) {
+    if (!c) {
         snprintf(binds, 24, "%s", "pull");
-    } else if (!c.pulled[q->way].holds) {
-        const Pushed worst = c.pushed[q->way];
+    } else if (!c->pulled[q->way].holds) {
+        const Pushed worst = c->pushed[q->way];
         snprintf(binds, 24, "%s", "pulled");
-        memcpy(where, finding_on(c.route, 0, worst.at, worst.piece).where, 80);
+        memcpy(where, finding_on(c->route, 0, worst.at, worst.piece).where, 80);
     } else {
-        const hawser_limit *const worst = broken(q, &c);
+        const hawser_limit *const worst = broken(q, c);
         if (!worst) snprintf(binds, 24, "%s", "stiffness");
         if (worst) snprintf(binds, 24, "%.23s", worst->name);
         if (worst) snprintf(where, 80, "%.79s", worst->where);
     }
+}
+
+static void binding_find(Question *q, const Variation *by, char binds[24], char where[80])
+{
+    Calculator c;
+    int solved = 0;
+    holds_at(q, by, &c, &solved);
+    binding_say(q, solved ? &c : NULL, binds, where);
     calculator_free(&c);
 }
 
@@ -219,7 +214,7 @@ static InverseAnswer answer_find(Question *q)
 {
     InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN, .from = NAN};
     touched_find(q);
-    enough_find(q);
+    q->enough = calculator_enough(q->setup, q->base, q->way, q->untouched);
     const SearchBound bound = bound_find(q, &a.from);
     a.end = bound.end;
     a.from *= a.now;
@@ -299,19 +294,20 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
     *m = (InverseMachines){.way = q->way, .n = -1};
     for (int n = 0; n <= INVERSE_MACHINES_MAX; ++n) {
         Calculator c;
-        int end = 0;
+        int solved = 0;
         by.n_steps = n;
-        const int holds = holds_at(q, &by, &end), solved = varied(q, holds ? 0 : end, &by, &c);
-        if (holds) m->n = n;
-        if (holds) takes_find(&c, m, push);
-        if (holds) stays_find(q, &c, m->stays);
+        const int holds = holds_at(q, &by, &c, &solved);
+        if (!holds) binding_say(q, solved ? &c : NULL, m->binds, m->where);
         if (solved && !holds && n < INVERSE_MACHINES_MAX) after = next_place(&c, q->way, push, after, early);
         calculator_free(&c);
+        if (holds) {
+            m->n = n;
+            if (varied(q, 0, &by, &c)) takes_find(&c, m, push), stays_find(q, &c, m->stays);
+            calculator_free(&c);
+        }
         if (!solved || holds || isnan(after) || n == INVERSE_MACHINES_MAX) break;
-        binding_find(q, &by, m->binds, m->where);
         step[n] = (PullStep){m->at[n] = after, push, STEP_TAKE};
     }
-    if (m->n < 0) binding_find(q, &by, m->binds, m->where);
 }
 
 /* Finds the better of both rules for bends; if no number holds at the ends of the assumed ranges, that with the values
@@ -343,9 +339,12 @@ typedef struct Pits {
 /* Checks whether everything holds up to `far` metres from where the pull begins, with the pits placed so far. */
 static int holds_up_to(Pits *p, double far)
 {
-    int end;
+    Calculator c;
+    int solved;
     p->by.beyond = far - p->q->base->route->length;
-    return holds_at(p->q, &p->by, &end);
+    const int holds = holds_at(p->q, &p->by, &c, &solved);
+    calculator_free(&c);
+    return holds;
 }
 
 /* End of the section that begins at `from`, both in metres from where the pull begins: the route's end, or a round

@@ -869,6 +869,12 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
 
 /* ---------------------------------------------------------------------------------------------------------- bends */
 
+/* The last solution at one end of the assumed ranges. */
+typedef struct MendSolved {
+    Calculator c;
+    double friction, *radii; /* those of the solution; friction 0: there is none */
+} MendSolved;
+
 /* A pull with other radii and friction. */
 typedef struct MendTrial {
     const Ends *ends;
@@ -882,6 +888,7 @@ typedef struct MendTrial {
     double spare;               /* one of SPARES */
     double *radii;              /* [pieces] factors */
     double friction;            /* factor */
+    MendSolved *solved;         /* [ends] */
     int n_limits;               /* limits of the first end when last computed */
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_status status;
@@ -959,19 +966,36 @@ static void as_run(const MendTrial *t, Calculator *c)
     }
 }
 
-/* Solves the varied pull; returns 0 without a solution or memory. */
-static int mend_solve(MendTrial *t, int end, Calculator *c)
+/* A tension that breaks a limit for certain, N, while a safe pull is searched; 0: none known. */
+static double enough_of(const MendTrial *t, int end)
 {
-    const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
+    const Solved *const at = &t->ends->at[end];
+    return t->searching && !t->of_run ? calculator_enough(&at->setup, &at->c, t->way, NULL) : 0;
+}
+
+/* The varied pull at an end, with the present radii and friction; NULL without a solution or memory. */
+static const Calculator *mend_solve(MendTrial *t, int end)
+{
+    const Variation by = {.way = t->way,
+                          .friction = t->friction,
+                          .radius = 1,
+                          .bend = -1,
+                          .radii = t->radii,
+                          .enough = enough_of(t, end)};
+    const size_t size = (size_t)t->route->n * sizeof *t->radii;
     hawser_error local;
     const Solved *const at = &t->ends->at[end];
-    const hawser_status status = calculator_vary(&at->setup, &at->c, &by, c, &local);
-    if (status == HAWSER_ERR_MEMORY) {
-        t->status = status;
-        if (t->err) *t->err = local;
-    }
-    if (!status) as_run(t, c);
-    return !status;
+    MendSolved *const s = &t->solved[end];
+    if (s->friction == t->friction && !memcmp(s->radii, t->radii, size)) return &s->c;
+    calculator_free(&s->c);
+    const hawser_status status = calculator_vary(&at->setup, &at->c, &by, &s->c, &local);
+    s->friction = status ? 0 : t->friction;
+    memcpy(s->radii, t->radii, size);
+    if (!status) as_run(t, &s->c);
+    if (status != HAWSER_ERR_MEMORY) return status ? NULL : &s->c;
+    t->status = status;
+    if (t->err) *t->err = local;
+    return NULL;
 }
 
 /* Allowed value for theory's limit of this kind. */
@@ -994,7 +1018,7 @@ static double bend_needs(const MendTrial *t, const Calculator *c, int p, int to)
     double pressure = 0, needs = 1;
     for (int k = p; k <= to; ++k) {
         pressure = fmax(pressure, w->piece[k].sidewall);
-        if (k == w->restart_sidewall_piece) pressure = fmax(pressure, w->restart_sidewall);
+        if (k == w->rest.sidewall_piece) pressure = fmax(pressure, w->rest.max_sidewall);
         if (c->route->piece[k].radius < least) needs = fmax(needs, least / c->route->piece[k].radius);
     }
     if (pressure > most) needs = fmax(needs, t->spare * pressure / most);
@@ -1041,19 +1065,18 @@ static int is_overpulled(const MendTrial *t, const Calculator *c)
 static int widen(MendTrial *t, int end, int *tight)
 {
     const Route *const route = t->route;
-    Calculator c;
+    const Calculator *const c = mend_solve(t, end);
     int far = 0;
-    const int solved = mend_solve(t, end, &c) && !(t->searching && is_overpulled(t, &c));
-    for (int p = 0, to; solved && p < route->n; p = to + 1) {
+    if (!c || (t->searching && is_overpulled(t, c))) return 0;
+    for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
-        const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, &c, p, to);
+        const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, c, p, to);
         if (!(needs > 1)) continue;
         *tight = 1;
         far |= needs * t->radii[p] > FARTHEST;
         if (!far) bend_widen(t, p, to, needs);
     }
-    calculator_free(&c);
-    return solved && !far;
+    return !far;
 }
 
 /* Widens the bends step by step until none is too tight; returns 0 if that does not end. A wider bend has more friction
@@ -1075,14 +1098,12 @@ static int is_safe(MendTrial *t, char still[MEND_STILL_MAX])
     int safe = 1;
     *still = 0;
     for (int end = t->n - 1; end >= 0 && safe; --end) {
-        Calculator c;
         if (!is_asked(t, end)) continue;
-        safe = mend_solve(t, end, &c);
-        if (!safe) snprintf(still, MEND_STILL_MAX, "%s", "pull");
-        safe = safe && is_kept(t, &t->ends->at[end].setup, &c, still);
-        t->n_limits = c.n_limits;
-        memcpy(t->limit, c.limit[t->way], sizeof t->limit);
-        calculator_free(&c);
+        const Calculator *const c = mend_solve(t, end);
+        if (!c) snprintf(still, MEND_STILL_MAX, "%s", "pull");
+        safe = c && is_kept(t, &t->ends->at[end].setup, c, still);
+        t->n_limits = c ? c->n_limits : 0;
+        if (c) memcpy(t->limit, c->limit[t->way], sizeof t->limit);
     }
     return safe;
 }
@@ -1214,9 +1235,14 @@ hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *
     scene_def_clear(&def);
     t.ends = own ? own : ends;
     t.n = t.ends ? t.ends->n : 0;
-    t.radii = malloc(((size_t)base->route->n + 1) * sizeof *t.radii);
-    if (!status) status = t.radii ? find(&t, out) : error_memory(err);
+    const size_t pieces = (size_t)base->route->n;
+    t.radii = calloc(pieces * (size_t)(1 + t.n), sizeof *t.radii);
+    t.solved = calloc((size_t)t.n + 1, sizeof *t.solved);
+    for (int k = 0; k < t.n && t.radii && t.solved; ++k) t.solved[k].radii = t.radii + pieces * (size_t)(1 + k);
+    if (!status) status = t.radii && t.solved ? find(&t, out) : error_memory(err);
+    for (int k = 0; k < t.n && t.solved; ++k) calculator_free(&t.solved[k].c);
     ends_free(own);
     free(t.radii);
+    free(t.solved);
     return status;
 }

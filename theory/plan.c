@@ -179,9 +179,12 @@ static hawser_status course_make(const PlanDef *def, int way, double head, Cours
     PullStretch *const s = out->stretch;
     int n = 0;
     for (int i = 0; i < def->n_stretches; i++) s[n++].from = def->stretch[i].from;
-    for (int k = 0; k < def->n_wear; k++) s[n++].from = wear_place(def, way, head, def->wear[k].from);
-    s[n++].from = head;
-    qsort(s, (size_t)n, sizeof *s, compare_first);
+    for (int k = -1; k < def->n_wear; k++, n++) {
+        const double at = k < 0 ? head : wear_place(def, way, head, def->wear[k].from);
+        int i = n;
+        for (; i > 0 && s[i - 1].from > at; i--) s[i].from = s[i - 1].from;
+        s[i].from = at;
+    }
     out->n = 0;
     for (int i = 0; i < n; i++) {
         const double begin = s[i].from, end = i + 1 < n ? s[i + 1].from : begin + 2;
@@ -274,27 +277,31 @@ static int restarts_alike(const PlanDef *def)
     return 1;
 }
 
-/* Solves one place of the head. before[2]: solutions of another place, moving and from rest, whose spans are reused;
+/* Solves one place of the head, moving or from rest. before: a solution of another place, whose spans are reused;
  * replaced by this place's. */
+static hawser_status force_solve(const PlanDef *def, int way, int restart, double head, Pull *before, HeadForce *out,
+                                 hawser_error *err)
+{
+    const PlanPullDef what = {.way = way, .restart = restart, .head = head, .forces_only = 1, .like = before};
+    Pull pull;
+    const hawser_status status = plan_pull(def, &what, &pull, err);
+    if (status) return status;
+    out->head = head;
+    *(restart ? &out->restart : &out->force) = pull.end_tension + plan_allowance(def, way);
+    if (!restart) out->tension = pull_at(&pull, head).tension;
+    pull_clear(before);
+    *before = pull;
+    return HAWSER_OK;
+}
+
+/* The same moving and from rest; before[2] as above. */
 static hawser_status head_solve(const PlanDef *def, int way, double head, Pull before[2], HeadForce *out,
                                 hawser_error *err)
 {
-    const int alike = restarts_alike(def);
-    *out = (HeadForce){.head = head};
-    for (int restart = 0; restart < (alike ? 1 : 2); restart++) {
-        const PlanPullDef what = {
-            .way = way, .restart = restart, .head = head, .forces_only = 1, .like = &before[restart]};
-        Pull pull;
-        const hawser_status status = plan_pull(def, &what, &pull, err);
-        if (status) return status;
-        const double force = pull.end_tension + plan_allowance(def, way);
-        if (!restart) out->tension = pull_at(&pull, head).tension;
-        if (!restart) out->force = force;
-        if (restart || alike) out->restart = force;
-        pull_clear(&before[restart]);
-        before[restart] = pull;
-    }
-    return HAWSER_OK;
+    *out = (HeadForce){0};
+    const hawser_status status = force_solve(def, way, 0, head, &before[0], out, err);
+    out->restart = out->force;
+    return status || restarts_alike(def) ? status : force_solve(def, way, 1, head, &before[1], out, err);
 }
 
 hawser_status plan_head(const PlanDef *def, int way, double head, HeadForce *out, hawser_error *err)
@@ -380,8 +387,8 @@ static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
 typedef struct Refine {
     const PlanDef *def;
     int way, restart;
-    Pull *before; /* [2], as in head_solve */
-    HeadForce *peak;
+    Pull *before; /* of that kind, as in force_solve */
+    HeadForce peak;
     hawser_status status;
     hawser_error *err;
 } Refine;
@@ -391,8 +398,8 @@ static double peak_look(void *what, double head)
     Refine *const r = what;
     HeadForce here = {0};
     if (r->status) return 0;
-    r->status = head_solve(r->def, r->way, head, r->before, &here, r->err);
-    if (!r->status) peak_take(&here, r->restart, r->peak);
+    r->status = force_solve(r->def, r->way, r->restart, head, r->before, &here, r->err);
+    if (!r->status) peak_take(&here, r->restart, &r->peak);
     return force_of(&here, r->restart);
 }
 
@@ -400,9 +407,10 @@ static double peak_look(void *what, double head)
 static hawser_status peak_refine(const PlanDef *def, int way, int restart, double a, double b, Pull before[2],
                                  HeadForce *peak, hawser_error *err)
 {
-    Refine r = {def, way, restart, before, peak, HAWSER_OK, err};
+    Refine r = {def, way, restart, &before[restart], *peak, HAWSER_OK, err};
     search_top(peak_look, &r, a, b, 24);
-    return r.status;
+    if (r.status || r.peak.head == peak->head) return r.status;
+    return head_solve(def, way, r.peak.head, before, peak, err);
 }
 
 /* Finds both peaks: of the rows, then refined beside local maxima. */
@@ -457,8 +465,9 @@ static double rope_onward(const PlanDef *def, int way, int restart, double from,
 /* Places of a pull's head, and the results there. */
 typedef struct HeadCourse {
     const Places *places;
-    int i;           /* the present section begins with that place */
-    double *tension; /* [places->n] N, of the tightest rope there; NULL: not needed */
+    const Pull *like; /* a pull of the whole route, whose spans are reused; NULL: none */
+    int i;            /* the present section begins with that place */
+    double *tension;  /* [places->n] N, of the tightest rope there; NULL: not needed */
 } HeadCourse;
 
 /* Finds the place of the head with the largest winch force in the section that begins with place i, and that force. Of
@@ -470,7 +479,8 @@ static hawser_status section_top(const PlanDef *def, int way, int restart, HeadC
     const Places *const places = course->places;
     const int first = course->i;
     const PlanSection section = plan_section_at(def, way, places->s[first]);
-    const PlanPullDef what = {.way = way, .restart = restart, .head = section.to, .forces_only = 1};
+    const PlanPullDef what = {
+        .way = way, .restart = restart, .head = section.to, .forces_only = 1, .like = course->like};
     Pull cable;
     hawser_status status = plan_pull(def, &what, &cable, err);
     if (status) return status;
@@ -492,13 +502,13 @@ static hawser_status section_top(const PlanDef *def, int way, int restart, HeadC
 }
 
 /* Finds one of both peaks: the place among all sections, then refined beside it. */
-static hawser_status peak_find(const PlanDef *def, int way, int restart, const Places *places, Pull before[2],
-                               HeadForce *peak, hawser_error *err)
+static hawser_status peak_find(const PlanDef *def, int way, int restart, const Places *places, const Pull *like,
+                               Pull before[2], HeadForce *peak, hawser_error *err)
 {
     int top = 0;
     double most = -INFINITY;
     assert(places->n > 0); /* the ends of the route */
-    HeadCourse course = {.places = places};
+    HeadCourse course = {.places = places, .like = like};
     do {
         int here = course.i;
         double force;
@@ -512,25 +522,26 @@ static hawser_status peak_find(const PlanDef *def, int way, int restart, const P
     return peak_refine(def, way, restart, places->s[top - 1], places->s[top + 1], before, peak, err);
 }
 
-static hawser_status peaks_by_sections(const PlanDef *def, int way, const Places *places, HeadSeries *s,
-                                       hawser_error *err)
+static hawser_status peaks_by_sections(const PlanDef *def, int way, const Places *places, const Pull *const like[2],
+                                       HeadSeries *s, hawser_error *err)
 {
     Pull before[2] = {{0}, {0}};
-    hawser_status status = peak_find(def, way, 0, places, before, &s->peak, err);
+    hawser_status status = peak_find(def, way, 0, places, like ? like[0] : NULL, before, &s->peak, err);
     s->restart_peak = s->peak;
-    if (!status && !restarts_alike(def)) status = peak_find(def, way, 1, places, before, &s->restart_peak, err);
+    if (!status && !restarts_alike(def))
+        status = peak_find(def, way, 1, places, like ? like[1] : NULL, before, &s->restart_peak, err);
     pull_clear(&before[0]);
     pull_clear(&before[1]);
     return status;
 }
 
-hawser_status plan_peaks(const PlanDef *def, int way, HeadSeries *out, hawser_error *err)
+hawser_status plan_peaks(const PlanDef *def, int way, const Pull *const like[2], HeadSeries *out, hawser_error *err)
 {
     Places places;
     if (wears_by_head(def)) return plan_heads(def, way, INFINITY, out, err);
     *out = (HeadSeries){0};
     hawser_status status = places_find(def, way, INFINITY, &places, err);
-    if (!status) status = peaks_by_sections(def, way, &places, out, err);
+    if (!status) status = peaks_by_sections(def, way, &places, like, out, err);
     free(places.s);
     return status;
 }
@@ -645,7 +656,7 @@ hawser_status plan_heads(const PlanDef *def, int way, double apart, HeadSeries *
     pull_clear(&before[1]);
     if (!status && thinned) {
         HeadSeries peaks;
-        status = plan_peaks(def, way, &peaks, err);
+        status = plan_peaks(def, way, NULL, &peaks, err);
         out->peak = peaks.peak;
         out->restart_peak = peaks.restart_peak;
     }
@@ -716,8 +727,8 @@ static hawser_status brake_force(const PlanDef *def, int way, Brake *out, hawser
     out->max_tension = pull.max_tension;
     out->force = pull.end_tension + plan_allowance(def, way);
     if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
+    status = plan_peaks(def, way, (const Pull *const[2]){&pull, NULL}, &heads, err);
     pull_clear(&pull);
-    status = plan_peaks(def, way, &heads, err);
     if (status) return status;
     out->peak = heads.peak.force;
     plan_heads_free(&heads);
@@ -906,19 +917,11 @@ static hawser_status least_take(const PlanDef *def, const PlanPullDef *what, Pul
 static hawser_status solve_way(const PlanDef *def, int k, PlanWay *way, hawser_error *err)
 {
     PlanPullDef what = {.way = k, .whole = 1, .restart = 1};
-    Pull restart;
     way->start = plan_section(def, k, 0).start;
     way->rope = plan_allowance(def, k);
-    hawser_status status = plan_pull(def, &what, &restart, err);
+    hawser_status status = plan_pull(def, &what, &way->rest, err);
     if (status) return status;
-    way->restart_force = restart.end_tension + way->rope;
-    way->restart_max = restart.max_tension;
-    way->restart_at = restart.max_at;
-    way->restart_piece = restart.max_piece;
-    way->restart_sidewall = restart.max_sidewall;
-    way->restart_sidewall_at = restart.sidewall_at;
-    way->restart_sidewall_piece = restart.sidewall_piece;
-    pull_clear(&restart);
+    way->restart_force = way->rest.end_tension + way->rope;
     what.restart = 0;
     status = plan_pull(def, &what, &way->pull, err);
     if (!status) status = least_take(def, &what, &way->pull, err);
@@ -949,6 +952,7 @@ void plan_clear(Plan *plan)
 {
     for (int k = 0; k < PLAN_WAYS; k++) {
         pull_clear(&plan->way[k].pull);
+        pull_clear(&plan->way[k].rest);
         free(plan->way[k].piece);
     }
     *plan = (Plan){0};

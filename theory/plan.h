@@ -108,8 +108,9 @@ hawser_status plan_head(const PlanDef *def, int way, double head, HeadForce *out
  * is left allocated then. */
 hawser_status plan_heads(const PlanDef *def, int way, double apart, HeadSeries *out, hawser_error *err);
 /* Finds the peaks alone, without rows, in time linear in the number of corners (unless friction depends on the length
- * that has passed a place). The result must be freed likewise. */
-hawser_status plan_peaks(const PlanDef *def, int way, HeadSeries *out, hawser_error *err);
+ * that has passed a place). like[2]: pulls of the whole route, moving and from rest, whose identical spans are reused;
+ * NULL: none. The result must be freed likewise. */
+hawser_status plan_peaks(const PlanDef *def, int way, const Pull *const like[2], HeadSeries *out, hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 /* Largest tension of the rope at each place, over all places of the head behind it (PN6a). */
 typedef struct RopeSeries {
@@ -173,16 +174,13 @@ typedef struct PlanPiece {
 } PlanPiece;
 
 typedef struct PlanWay {
-    Pull pull;                      /* moving: tensions and sidewall pressures of the worst loaded cable, and where */
-    double start;                   /* N, reel and brake less the push (T24) */
-    double rope;                    /* N, the rope's allowance (T25) */
-    double force;                   /* N: tension at the end plus rope, of the last section */
-    double restart_force;           /* N: the same with static friction */
-    double restart_max, restart_at; /* N, m; of the cable from rest */
-    int restart_piece;              /* of the route, at that place */
-    double restart_sidewall, restart_sidewall_at; /* N/m, m; from rest */
-    int restart_sidewall_piece;
-    PlanPiece *piece; /* [n], by the route's order */
+    Pull pull;            /* moving: tensions and sidewall pressures of the worst loaded cable, and where */
+    double start;         /* N, reel and brake less the push (T24) */
+    double rope;          /* N, the rope's allowance (T25) */
+    double force;         /* N: tension at the end plus rope, of the last section */
+    Pull rest;            /* the same from rest */
+    double restart_force; /* N: `force` from rest */
+    PlanPiece *piece;     /* [n], by the route's order */
 } PlanWay;
 
 typedef struct Plan {

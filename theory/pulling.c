@@ -61,6 +61,8 @@ SpanFrame span_frame(const SpanLine *line, double s)
         const RoutePoint at = route_way_on_piece(line->route, line->piece, s);
         return curve_frame(&at);
     }
+    if (line->turning == 0 || (line->tz == 0 && line->nz == 0)) /* straights, and level bends */
+        return (SpanFrame){line->curvature, line->tz, line->nz, line->bz};
     const double turn = (s - line->s_ref) * line->turning, c = cos(turn), n = sin(turn);
     return (SpanFrame){.curvature = line->curvature,
                        .tz = c * line->tz + n * line->nz,
@@ -254,12 +256,13 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
         {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
     };
     static const double E[7] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    const int same = !p->line.route && p->line.curvature == 0; /* the rate depends on the sign of the tension at most */
     double end = tension;
     for (int i = 1; i < 7; i++) {
         double sum = 0;
         for (int j = 0; j < i; j++) sum += A[i][j] * k[j];
         end = tension + h * sum;
-        k[i] = span_rate(p, s + p->direction * C[i] * h, end);
+        k[i] = same && fmin(tension, end) >= 0 ? k[0] : span_rate(p, s + p->direction * C[i] * h, end);
     }
     *error = 0;
     for (int i = 0; i < 7; i++) *error += h * E[i] * k[i];
@@ -419,9 +422,10 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         if (h > length - x) h = length - x;
         h = step_to_corner(p, s, tension, h, k, &end, &error);
         const double allowed = STEP_TOLERANCE * (fabs(tension) + scale);
-        const double grow = fabs(error) > 0 ? fmin(5, fmax(0.2, 0.9 * pow(allowed / fabs(error), 0.2))) : 5;
-        const int last = h >= length - x;
-        if (fabs(error) > allowed && h > 1e-13 * length) {
+        const int last = h >= length - x, fails = fabs(error) > allowed && h > 1e-13 * length;
+        double grow = 5;
+        if (fabs(error) > 0 && (fails || !last)) grow = fmin(5, fmax(0.2, 0.9 * pow(allowed / fabs(error), 0.2)));
+        if (fails) {
             h *= grow;
             continue;
         }
@@ -469,27 +473,6 @@ static hawser_status check_def(const PullDef *def, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Collects the corners of the data strictly inside the pull, and its ends: cut[0] < ... < cut[n-1]; returns n. cut must
- * hold n_pieces + 1 + n_stretches + n_steps + 2. */
-static int collect_cuts(const PullDef *def, double *cut)
-{
-    const double low = fmin(def->from, def->to), high = fmax(def->from, def->to);
-    int n = 0;
-    cut[n++] = low;
-    cut[n++] = high;
-    for (int i = 0; i < def->route->n; i++) cut[n++] = def->route->piece[i].s0;
-    cut[n++] = def->route->length;
-    for (int i = 0; i < def->n_stretches; i++) cut[n++] = def->stretch[i].from;
-    for (int i = 0; i < def->n_steps; i++) cut[n++] = def->step[i].at;
-    qsort(cut, (size_t)n, sizeof *cut, compare_first);
-    int kept = 0;
-    for (int i = 0; i < n; i++) {
-        const int inside = cut[i] >= low && cut[i] <= high;
-        if (inside && (kept == 0 || cut[i] > cut[kept - 1])) cut[kept++] = cut[i];
-    }
-    return kept;
-}
-
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
 {
     const int begun = items_before(n, &stretch->from, sizeof *stretch, s, 1);
@@ -534,6 +517,29 @@ static void steps_sort(const PullDef *def, StepAt *step)
         sorted &= i == 0 || step[i].at >= step[i - 1].at;
     }
     if (!sorted) qsort(step, (size_t)def->n_steps, sizeof *step, compare_steps);
+}
+
+/* Collects the ends of the pull and the corners of the data between them: cut[0] < ... < cut[n-1]; returns n. All three
+ * lists are sorted. cut must hold n_pieces + 1 + n_stretches + n_steps + 2. */
+static int collect_cuts(const PullDef *def, const StepAt *step, double *cut)
+{
+    const Route *const route = def->route;
+    const int forward = def->to > def->from;
+    const double high = fmax(def->from, def->to);
+    double at = cut[0] = fmin(def->from, def->to);
+    int n = 1;
+    for (int p = 0, a = 0, k = 0; at < high; cut[n++] = at) {
+        double next = high;
+        while (p < route->n && route->piece[p].s0 <= at) p++;
+        while (a < def->n_stretches && def->stretch[a].from <= at) a++;
+        while (k < def->n_steps && def->step[step[forward ? k : def->n_steps - 1 - k].i].at <= at) k++;
+        if (p < route->n) next = fmin(next, route->piece[p].s0);
+        if (p == route->n && route->length > at) next = fmin(next, route->length);
+        if (a < def->n_stretches) next = fmin(next, def->stretch[a].from);
+        if (k < def->n_steps) next = fmin(next, def->step[step[forward ? k : def->n_steps - 1 - k].i].at);
+        at = next;
+    }
+    return n;
 }
 
 /* Tension behind the steps at s, N. The steps begin at step[*next], which advances. Forces come first, then machines
@@ -607,8 +613,9 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
 static void run_spans(const PullDef *def, int n, const double *cut, const StepAt *step, Pull *pull)
 {
     const int forward = def->to > def->from;
-    int next = 0;
+    int next = 0, same = 0; /* same: the span with which an earlier pull begins here */
     double tension = def->start_tension;
+    while (def->like && same < def->like->n && def->like->span[same].s0 != def->from) same++;
     take_tension(pull, route_at(def->route, cut[forward ? 0 : n - 1]).piece, def->from, tension);
     for (int i = 0; i < n - 1; i++) {
         const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
@@ -617,8 +624,9 @@ static void run_spans(const PullDef *def, int n, const double *cut, const StepAt
         const double middle = low + (high - low) / 2;
         const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, middle);
         span->t0 = steps_pass(def, step, &next, span->s0, tension);
-        if (def->forces_only && def->like && i < def->like->n && span_known(def, a, span, &def->like->span[i])) {
-            *span = def->like->span[i];
+        const PullSpan *const known = def->like && same + i < def->like->n ? &def->like->span[same + i] : NULL;
+        if (def->forces_only && known && span_known(def, a, span, known)) {
+            *span = *known;
             tension = span->t1;
             continue;
         }
@@ -652,12 +660,11 @@ hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
         free(step);
         return error_memory(err);
     }
-    const int n = collect_cuts(def, cut);
-    assert(n >= 2);
+    steps_sort(def, step);
+    const int n = collect_cuts(def, step, cut);
     out->n = n - 1;
     out->span = malloc((size_t)out->n * sizeof *out->span);
     if (out->span) {
-        steps_sort(def, step);
         run_spans(def, n, cut, step, out);
         if (!isfinite(out->end_tension)) {
             status = error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");

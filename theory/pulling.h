@@ -135,7 +135,7 @@ typedef struct PullDef {
     int n_stretches;      /* >= 1, by rising `from` */
     const PullStretch *stretch;
     int forces_only;         /* only tensions at the spans' ends are computed, no extremes */
-    const struct Pull *like; /* an earlier pull whose identical first spans are reused; NULL: none */
+    const struct Pull *like; /* an earlier pull whose identical spans are reused; NULL: none */
     int n_steps;             /* in any order; those outside the pull are ignored, those at its ends count */
     const PullStep *step;
     const PushLaw *pushes; /* for steps of kind STEP_PUSH; NULL: there are none */

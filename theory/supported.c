@@ -797,19 +797,12 @@ static void worst_take(Press press, Press *worst)
 }
 
 /* Checks the cable in the moving pull, and from rest where that is larger. */
-static hawser_status cable_take(const Gates *g, int way, Press *worst, Shed *shed, hawser_error *err)
+static void cable_take(const Gates *g, int way, Press *worst, Shed *shed)
 {
-    const Calculator *const c = g->c;
-    const PlanWay *const plan = &c->plan.way[way];
+    const PlanWay *const plan = &g->c->plan.way[way];
     worst_take(route_press(g, &(Drawn){.pull = &plan->pull}, shed), worst);
-    if (!(plan->restart_max > plan->pull.max_tension * (1 + 1e-9))) return HAWSER_OK;
-    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
-    Pull rest;
-    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
-    if (status) return status;
-    worst_take(route_press(g, &(Drawn){.pull = &rest}, NULL), worst);
-    pull_clear(&rest);
-    return HAWSER_OK;
+    if (plan->rest.max_tension > plan->pull.max_tension * (1 + 1e-9))
+        worst_take(route_press(g, &(Drawn){.pull = &plan->rest}, NULL), worst);
 }
 
 /* Checks the rope ahead, with the cable's front where that is tightest. */
@@ -840,7 +833,8 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, Shed *shed,
         if (c->def.skip[k]) continue;
         g->from = k == PLAN_BACKWARD ? 0 : begins;
         g->to = c->route->length - (k == PLAN_BACKWARD ? begins : 0);
-        status = g->rope ? rope_take(g, k, worst, err) : cable_take(g, k, worst, shed, err);
+        if (g->rope) status = rope_take(g, k, worst, err);
+        if (!g->rope) cable_take(g, k, worst, shed);
     }
     free(g->gate);
     return status;

@@ -870,13 +870,10 @@ static const char *turn_of(const Route *route, const RoutePiece *piece)
     return words[1 + (rise > most) - (rise < -most)][1 + (aside > most) - (aside < -most)];
 }
 
-/* Fills line [pieces], of one way. Errors: as plan_pull. */
-static hawser_status lines_fill(const Calculator *c, int way, PieceLine *line, hawser_error *err)
+/* Fills line [pieces], of one way. */
+static void lines_fill(const Calculator *c, int way, PieceLine *line)
 {
-    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
-    Pull rest;
-    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
-    for (int p = 0; p < c->plan.n && !status; p++, line++) {
+    for (int p = 0; p < c->plan.n; p++, line++) {
         const RoutePiece *const piece = &c->route->piece[p];
         const PlanPiece *const moving = &c->plan.way[way].piece[p];
         const PullStretch *const at = stretch_at(c->def.n_stretches, c->def.stretch, piece->s0 + piece->length / 2);
@@ -892,20 +889,17 @@ static hawser_status lines_fill(const Calculator *c, int way, PieceLine *line, h
         line->mu_rest = fmax(at->mu, at->mu_static);
         line->way[way].in = moving->t_in;
         line->way[way].out = moving->t_out;
-        line->way[way].rest = pull_at(&rest, way == PLAN_FORWARD ? line->to : line->from).tension;
+        line->way[way].rest = pull_at(&c->plan.way[way].rest, way == PLAN_FORWARD ? line->to : line->from).tension;
         line->way[way].sidewall = moving->sidewall;
     }
-    if (!status) pull_clear(&rest);
-    return status;
 }
 
 hawser_status piece_lines(const Calculator *c, PieceLine **rows, int *n, hawser_error *err)
 {
     PieceLine *const line = calloc((size_t)c->plan.n + 1, sizeof *line);
-    hawser_status status = line ? lines_fill(c, PLAN_FORWARD, line, err) : error_memory(err);
-    if (!status) status = lines_fill(c, PLAN_BACKWARD, line, err);
-    if (status) free(line);
-    *rows = status ? NULL : line;
-    *n = status ? 0 : c->plan.n;
-    return status;
+    *rows = line;
+    *n = line ? c->plan.n : 0;
+    if (!line) return error_memory(err);
+    for (int way = 0; way < PLAN_WAYS; way++) lines_fill(c, way, line);
+    return HAWSER_OK;
 }

@@ -131,7 +131,7 @@ TEST(ways_of_their_own)
     check_close(with.way[0].piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
     check_close(with.way[0].piece[2].roller_load, 3 * WEIGHT, 1e-10);
     check_close(with.way[0].piece[4].roller_load, 0, 0);
-    check_close(with.way[0].restart_max, with.way[0].restart_force - with.way[0].rope, 1e-9);
+    check_close(with.way[0].rest.max_tension, with.way[0].restart_force - with.way[0].rope, 1e-9);
     plan_clear(&without);
     plan_clear(&with);
     route_clear(&route);

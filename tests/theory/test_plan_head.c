@@ -342,10 +342,10 @@ TEST(peaks_between_rows)
             ahead += !short_of;
             Plan plan = plan_of(&def);
             const PlanWay *const w = &plan.way[way];
-            check_share(rest ? w->restart_max : w->pull.max_tension, most, 1e-9);
-            const double at = rest ? w->restart_at : w->pull.max_at;
+            check_share(rest ? w->rest.max_tension : w->pull.max_tension, most, 1e-9);
+            const double at = rest ? w->rest.max_at : w->pull.max_at;
             check_close(way ? route.length - at : at, along, 1e-4);
-            assert_int_equal(rest ? w->restart_piece : w->pull.max_piece, 1);
+            assert_int_equal(rest ? w->rest.max_piece : w->pull.max_piece, 1);
             plan_clear(&plan);
         }
         plan_heads_free(&s);

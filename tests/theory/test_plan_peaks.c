@@ -27,7 +27,7 @@ static void check_peaks(const PlanDef *def)
     for (int way = 0; way < PLAN_WAYS; ++way) {
         HeadSeries rows, alone;
         assert_int_equal(plan_heads(def, way, INFINITY, &rows, NULL), HAWSER_OK);
-        assert_int_equal(plan_peaks(def, way, &alone, NULL), HAWSER_OK);
+        assert_int_equal(plan_peaks(def, way, NULL, &alone, NULL), HAWSER_OK);
         check_share(alone.peak.force, rows.peak.force, 1e-12);
         check_share(alone.restart_peak.restart, rows.restart_peak.restart, 1e-12);
         check_close(alone.peak.head, rows.peak.head, 1e-9);
@@ -173,7 +173,7 @@ TEST(rows_of_many_corners)
     const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &lies, .reel_length = 15, .rope_weight = 5};
     HeadSeries rows, alone;
     assert_int_equal(plan_heads(&def, PLAN_FORWARD, 10, &rows, NULL), HAWSER_OK);
-    assert_int_equal(plan_peaks(&def, PLAN_FORWARD, &alone, NULL), HAWSER_OK);
+    assert_int_equal(plan_peaks(&def, PLAN_FORWARD, NULL, &alone, NULL), HAWSER_OK);
     assert_in_range(rows.n, 100, 500);
     check_close(rows.row[rows.n - 1].head, route.length, 0);
     check_equal(rows.peak.force, alone.peak.force);
