@@ -422,18 +422,20 @@ static hawser_status weight_check(const SceneDef *def, hawser_error *err)
 
 enum { HEAD_PLACES = 40 }; /* places of the head between the ends of the route, at least */
 
-hawser_status calculator_build(const Setup *setup, const Expected *expected, int forward_only, Calculator *out,
+hawser_status calculator_build(const Setup *setup, const Expected *expected, int what, Calculator *out,
                                hawser_error *err)
 {
+    const int rows = !(what & CALCULATE_PEAKS) || heads_slacken(setup);
+    const double apart = rows ? setup->route->length / HEAD_PLACES : INFINITY;
     *out = (Calculator){.cables = setup->def->bundle.shape.cables, .route = setup->route};
-    out->def.skip[PLAN_BACKWARD] = forward_only;
+    out->def.skip[PLAN_BACKWARD] = what & CALCULATE_FORWARD;
     hawser_status status = weight_check(setup->def, err);
     if (!status) status = cables_set(setup, out, err);
     if (!status) status = spacings_find(setup, out, err);
     if (!status) status = steps_set(&setup->def->theory, 0, out, err);
     plan_set(setup, expected, out);
     if (!status) status = rollers_place(setup, out, err);
-    if (!status) status = solve(setup, setup->route->length / HEAD_PLACES, out, err);
+    if (!status) status = solve(setup, apart, out, err);
     if (!status) status = rules_find(setup, out, err);
     if (!status) status = calculator_know(setup, out, err);
     return status ? status : calculator_follow(setup, out, err);

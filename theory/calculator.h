@@ -82,11 +82,14 @@ typedef struct Calculator {
     hawser_condition known[CALCULATOR_KNOWN]; /* theory takes everything in the case into account */
 } Calculator;
 
+/* What is computed: of FORWARD, data of the other direction stay zero, and `best` and `plan.better` are meaningless; of
+ * PEAKS, `heads` has no rows. */
+enum { CALCULATE_ALL = 0, CALCULATE_FORWARD = 1, CALCULATE_PEAKS = 2 };
+
 /* Builds and solves the calculator. expected: provides the tension of all cables where the pull begins, in either
- * direction. forward_only: data of the other direction stay zero, and `best` and `plan.better` are meaningless. The
- * scene must outlive it. Errors: INPUT (as plan_build), MEMORY. The result must be freed with calculator_free, also
- * after an error. */
-hawser_status calculator_build(const Setup *setup, const Expected *expected, int forward_only, Calculator *out,
+ * direction. what: a sum of the above. The scene must outlive it. Errors: INPUT (as plan_build), MEMORY. The result
+ * must be freed with calculator_free, also after an error. */
+hawser_status calculator_build(const Setup *setup, const Expected *expected, int what, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
 /* Builds a condition of theory, which holds where value <= allowed. */
@@ -121,6 +124,9 @@ void calculator_rollers(const Setup *setup, const Calculator *c, int way, double
 /* Largest winch force, N, over all places of the head, moving or from rest; for a rope with all chains that it pulls,
  * each at its own maximum (SC15). */
 double calculator_peak(const Setup *setup, const Calculator *c, int way);
+/* Checks whether the front's places count for slack: the case defines where the front begins and is drawn by a winch.
+ */
+int heads_slacken(const Setup *setup);
 /* Fills `pulled`, `pushed`, `away` and `early`. Errors: as plan_build. */
 hawser_status calculator_pulled(const Setup *setup, Calculator *c, hawser_error *err);
 /* Checks whether a brake where the pull begins prevents this run-away. */

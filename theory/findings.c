@@ -996,15 +996,18 @@ static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
     return status;
 }
 
+int heads_slacken(const Setup *setup)
+{
+    return setup->def->theory.simulated && setup->def->winch.present && !setup->def->strand.rope;
+}
+
 /* Checks whether pushers slacken the winch's rope while little of the cable has entered, for cases that define where
  * the head begins. */
 static void look_at_heads(const Asked *a, Found *out)
 {
     const HeadSeries *const heads = &a->c->heads[a->way];
     const double begins = fmax(0, a->setup->front);
-    if (a->setup->def->strand.rope || !a->setup->def->theory.simulated || !a->setup->def->winch.present ||
-        a->way == PLAN_BACKWARD)
-        return;
+    if (!heads_slacken(a->setup) || a->way == PLAN_BACKWARD) return;
     for (int i = 0; i < heads->n; ++i) {
         const HeadForce *const row = &heads->row[i];
         const Pushed now = {-row->force, 1e-9 * fmax(1, heads->peak.force), row->head,

@@ -16,6 +16,7 @@ typedef struct Question {
     const Calculator *base;
     const Ends *ends;
     int taken; /* assumed values count as taken, not at the ends of their ranges */
+    int first; /* the end that is computed first: the last one at which a value failed */
     InverseKind kind;
     int way, bend;                    /* bend: the piece of INVERSE_BEND */
     int untouched[HAWSER_LIMITS_MAX]; /* by limit: its value does not depend on the searched one */
@@ -62,9 +63,11 @@ static void touched_find(Question *q)
         Calculator c;
         const Variation by = variation_of(q, k ? 2 : 0.5);
         const int solved = varied(q, 0, &by, &c);
+        any = 0;
         for (int i = 0; i < q->base->n_limits; ++i) {
             const double now = q->base->limit[q->way][i].value;
             if (!solved || fabs(c.limit[q->way][i].value - now) > 1e-12 * fabs(now)) q->untouched[i] = 0;
+            any |= q->untouched[i];
         }
         calculator_free(&c);
     }
@@ -101,20 +104,30 @@ static void stays_find(const Question *q, const Calculator *c, char stays[INVERS
 }
 
 /* Checks whether everything holds. For friction and length, whose maximum is searched, it must also hold at the ends of
- * the assumed ranges. *c: of the first end at which it does not, or of the last; calculator_free must follow. *solved:
- * whether that has a result. */
+ * the assumed ranges. *c: of the first end computed at which it does not, or of the last; calculator_free must follow.
+ * *solved: whether that has a result. */
 static int holds_at(Question *q, const Variation *by, Calculator *c, int *solved)
 {
     const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH,
               ends = most && !q->taken ? q->ends->n : 1;
-    int holds = 1;
-    *c = (Calculator){0};
-    for (int k = 0; k < ends && holds; ++k) {
-        if (by->friction != 1 && q->ends->of_friction[k]) continue;
-        calculator_free(c);
-        *solved = varied(q, k, by, c);
+    int holds = 1, any = 0, first = q->first < ends ? q->first : 0;
+    for (int i = 0; i < ends && holds; ++i) {
+        const int end = (first + i) % ends;
+        if (by->friction != 1 && q->ends->of_friction[end]) continue;
+        if (any++) calculator_free(c);
+        *solved = varied(q, end, by, c);
         holds = *solved && keeps(q, c);
+        if (!holds) q->first = end;
     }
+    return holds;
+}
+
+/* The same for the case's own value. */
+static int holds_now(const Question *q)
+{
+    const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH;
+    int holds = keeps(q, q->base);
+    for (int k = 1; most && !q->taken && k < q->ends->n; ++k) holds = holds && keeps(q, &q->ends->at[k].c);
     return holds;
 }
 
@@ -126,6 +139,7 @@ static int question_holds(void *what, double x)
     Variation by = variation_of(q, x);
     by.enough = q->enough;
     if (q->status) return 0;
+    if (x == 1) return holds_now(q);
     const int holds = holds_at(q, &by, &c, &solved);
     calculator_free(&c);
     return holds;
@@ -153,6 +167,7 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
 {
     Calculator c;
     int solved = 0;
+    q->first = 0;
     holds_at(q, by, &c, &solved);
     binding_say(q, solved ? &c : NULL, binds, where);
     calculator_free(&c);
@@ -221,9 +236,13 @@ static InverseAnswer answer_find(Question *q)
     if (q->kind == INVERSE_BEND) snprintf(a.what, sizeof a.what, "%s", q->base->route->piece[q->bend].name);
     if (bound.end == SEARCH_FOUND) a.value = bound.value * a.now;
     Calculator c;
-    const Variation at = variation_of(q, bound.end == SEARCH_NOWHERE ? 1 : bound.value);
-    if (varied(q, 0, &at, &c)) stays_find(q, &c, a.stays);
-    calculator_free(&c);
+    const Variation at = variation_of(q, bound.value);
+    if (bound.end == SEARCH_NOWHERE) {
+        stays_find(q, q->base, a.stays);
+    } else {
+        if (varied(q, 0, &at, &c)) stays_find(q, &c, a.stays);
+        calculator_free(&c);
+    }
     if (bound.end == SEARCH_EVERYWHERE || q->status) return a;
     const Variation beyond = variation_of(q, bound.fails);
     binding_find(q, &beyond, a.binds, a.where);
@@ -296,6 +315,7 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
         Calculator c;
         int solved = 0;
         by.n_steps = n;
+        q->first = 0;
         const int holds = holds_at(q, &by, &c, &solved);
         if (!holds) binding_say(q, solved ? &c : NULL, m->binds, m->where);
         if (solved && !holds && n < INVERSE_MACHINES_MAX) after = next_place(&c, q->way, push, after, early);

@@ -13,7 +13,8 @@ hawser_status solved_make(const SceneDef *own, const Company *company, int forwa
     hawser_status status = setup_make(&out->def, &out->setup, err);
     out->setup.company = *company;
     if (!status) status = expected_fill(&out->setup, 0, NULL, &out->expected, err);
-    return status ? status : calculator_build(&out->setup, &out->expected, forward_only, &out->c, err);
+    const int what = CALCULATE_PEAKS | (forward_only ? CALCULATE_FORWARD : 0);
+    return status ? status : calculator_build(&out->setup, &out->expected, what, &out->c, err);
 }
 
 void solved_free(Solved *s)

@@ -33,6 +33,9 @@ static int is_helix(const RoutePiece *p)
     return p->kind == ROUTE_CURVE && c->profile == PROFILE_GRADE && c->sharp == 0 && c->axis[2].z == 1;
 }
 
+/* A direction's vertical component, without the rounding that a level bend has. */
+static double rise_of(Vec3 direction) { return fabs(direction.z) > 1e-15 ? direction.z : 0; }
+
 SpanLine span_line(const Route *route, double s)
 {
     const RoutePoint at = route_at(route, s);
@@ -48,8 +51,8 @@ SpanLine span_line(const Route *route, double s)
     } else if (v3_norm(at.curvature) > 0) {
         line.s_ref = p->s0;
         line.curvature = line.turning = 1 / p->radius;
-        line.tz = p->tangent.z;
-        line.nz = p->centre.z;
+        line.tz = rise_of(p->tangent);
+        line.nz = rise_of(p->centre);
         line.bz = v3_cross(p->tangent, p->centre).z;
     }
     return line;
