@@ -569,7 +569,7 @@ void hawser_sim_on_log(hawser_sim *s, hawser_log_level level, hawser_log_functio
  * derived from it, all of which are compared before anything is read; then, for a run with results, their progress;
  * then the simulation. */
 
-enum { FORMAT = 9 };
+enum { FORMAT = 10 };
 
 typedef struct FileHead {
     char magic[16];

@@ -21,6 +21,7 @@ void passing_free(Passing *p)
     free(p->side);
     free(p->gone);
     free(p->seen);
+    free(p->last);
     memset(p, 0, sizeof *p);
 }
 
@@ -121,7 +122,9 @@ hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
     p->side = calloc(rollers + 1, sizeof *p->side);
     p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
     p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
-    if (!p->side || !p->gone || !p->seen) return error_memory(err);
+    if (scene->surfaces.facets) p->last = malloc((size_t)scene->total * sizeof *p->last);
+    if (!p->side || !p->gone || !p->seen || (scene->surfaces.facets && !p->last)) return error_memory(err);
+    for (int i = 0; p->last && i < scene->total; ++i) v3_put(p->last[i], v3(NAN, NAN, NAN));
     snprintf(p->says, sizeof p->says, "the cable has passed through a support");
     snprintf(p->overlap.says, sizeof p->overlap.says, "cables lie inside each other");
     const double cable = thickest(&scene->chain);
@@ -139,7 +142,7 @@ static int note(Passing *p, int body, const char *what, const char *name, double
     if (p->gone[body]) return 0;
     p->gone[body] = 1;
     if (++p->through > 1) return 0;
-    snprintf(p->says, sizeof p->says, "the cable has passed through %s '%s'%s", what, name,
+    snprintf(p->says, sizeof p->says, "the cable has passed through %s '%.60s'%s", what, name,
              t > 0 ? "" : " before t = 0");
     return 1;
 }
@@ -244,18 +247,74 @@ static int surfaces_look(Passing *p, const Scene *scene, const Workspace *ws, do
     return new;
 }
 
+/* ------------------------------------------------------------------------------------------------- environment */
+
+/* Layer of a triangle that the way from a to b meets, and the place; -1: none. */
+static int layer_between(const Facets *facets, Vec3 a, Vec3 b, Vec3 *at)
+{
+    static const double MEETS = 1e-9; /* m */
+    double from[3], to[3], foot[3];
+    int triangle;
+    v3_put(from, a);
+    v3_put(to, b);
+    triangle_tree_distance(facets->tree, from, to, MEETS, &triangle, foot);
+    if (triangle < 0) return -1;
+    *at = v3_get(foot);
+    return facets->mesh.layer[triangle];
+}
+
+/* (EN28): between neighbouring points at which the line is in contact. */
+int passing_pierced(const Scene *scene, const Kinematics *kin, Vec3 *at)
+{
+    const SurfaceModel *const model = &scene->surfaces.model;
+    const int points = scene->surfaces.facets ? SURFACE_POINTS * model->points->elements : 0;
+    Vec3 last = V3_ZERO;
+    for (int k = 0; k < points; ++k) {
+        const Vec3 here = surface_point(model, &scene->chain, kin, k / SURFACE_POINTS, k % SURFACE_POINTS);
+        const int layer = k > 0 ? layer_between(scene->surfaces.facets, last, here, at) : -1;
+        if (layer >= 0) return layer;
+        last = here;
+    }
+    return -1;
+}
+
+/* (EN28), second part: the ways of the segments' centres. A longer way may cut a corner that the segment has gone
+ * round. */
+static int layer_crossed(Passing *p, const Scene *scene, const Kinematics *kin)
+{
+    int layer = -1;
+    Vec3 at;
+    for (int i = 0; i < scene->chain.n; ++i) {
+        double *const last = p->last[scene->first + i];
+        const Vec3 before = v3_get(last), now = v3_load(kin->p, i);
+        if (layer < 0 && v3_norm(v3_sub(now, before)) < scene->chain.half[i])
+            layer = layer_between(scene->surfaces.facets, before, now, &at);
+        v3_put(last, now);
+    }
+    return layer;
+}
+
+static int environment_look(Passing *p, const Scene *scene, const Kinematics *kin, double t)
+{
+    Vec3 at;
+    if (!p->last) return 0;
+    const int crossed = layer_crossed(p, scene, kin), layer = crossed < 0 ? passing_pierced(scene, kin, &at) : crossed;
+    return layer >= 0 && note(p, scene->contact.n_rollers + scene->surfaces.model.n_surfaces, "the environment's layer",
+                              scene->def.environment.mesh.layer_name[layer], t);
+}
+
 /* ----------------------------------------------------------------------------------------------------------- */
 
 int passing_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
 {
     const int rollers = rollers_look(p, scene, ws, t);
-    const int planes = planes_look(p, scene, ws, t);
+    const int planes = planes_look(p, scene, ws, t) | environment_look(p, scene, &ws->kin, t);
     return rollers | planes | surfaces_look(p, scene, ws, travel, t);
 }
 
 int passing_record(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
 {
-    if (t < p->due && t < scene->def.duration) return 0;
+    if (t < p->due && t < scene->def.duration) return environment_look(p, scene, &ws->kin, t);
     p->due = t + scene->def.duration / LOOKS;
     return passing_look(p, scene, ws, travel, t);
 }

@@ -1,5 +1,5 @@
-/* Checks whether the cable has passed through something: the side on which it was of each roller, and the free side of
- * each surface. docs/reference/limits.md, "Trust". */
+/* Checks whether the cable has passed through something: the side on which it was of each roller, the free side of each
+ * surface, and the triangles of the environment. docs/reference/limits.md, "Trust". */
 #ifndef HAWSER_SIM_RUN_PASSING_H
 #define HAWSER_SIM_RUN_PASSING_H
 
@@ -38,9 +38,11 @@ typedef struct Edge {
 typedef struct Passing {
     signed char *side; /* [rollers] side of the line, seen along it: the route's, or the cable's when it came near; 0:
                         * unknown */
-    char *gone;        /* [rollers + surfaces] 1: passed, and reported */
+    char *gone;        /* [rollers + surfaces + 1] 1: passed, and reported; the last one is the environment */
     char *seen;        /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] 1: was on the face's free side */
-    int through;       /* number of rollers and surfaces that have been passed */
+    double (*last)[3]; /* [segments of the whole chain] m, centres at the last check, NAN: not yet known; NULL: nothing
+                        * of the environment can be touched */
+    int through;       /* number of rollers, surfaces and environments that have been passed */
     double due;        /* s, time of the next check */
     char says[PASSING_SAYS_MAX]; /* text on the first of them */
     Misfit start;
@@ -55,13 +57,16 @@ void passing_free(Passing *passing);
 /* Checks the kinematics and the candidates in the workspace, which belong to the state at t (s); travel: of the head,
  * m. Returns 1 if something has been passed for the first time; `says` has the text then. */
 int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
-/* The same when it is due: a few times a run and at its end. */
+/* The same when it is due: a few times a run and at its end; the environment at each call. */
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* Finds the overlap of lines, `lines` those of scene[lines->n] at t (s): at every row if there is contact of cable on
  * cable, else a few times a run, and at its end. */
 void overlap_record(Overlap *overlap, const SelfLines *lines, const Scene *const scene[], double t);
 /* Keeps the sample of t = 0, and the chain's place on its rollers. */
 void passing_start(Passing *passing, const Scene *scene, const Kinematics *kin, const hawser_sample *look);
+/* Layer of the environment that can be touched and whose triangles the line runs through (EN28), and the place; -1:
+ * none. */
+int passing_pierced(const Scene *scene, const Kinematics *kin, Vec3 *at);
 /* Length of segments, m, with which the contact forces of the chain would not exceed the allowed one (E8): theirs, or
  * less. */
 double misfit_segment(const Misfit *start);

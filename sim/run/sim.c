@@ -26,10 +26,26 @@
 
 static const double GRADE_LOST = M_PI / 180; /* rad, largest loss of grade in one bend that is not reported */
 
+/* No contact can find on which side of a triangle the line is that runs through it. */
+static hawser_status start_clear(const Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    Vec3 at;
+    const int layer = passing_pierced(scene, &s->stage.ws.kin, &at);
+    if (layer < 0) return HAWSER_OK;
+    at = v3_add(at, scene->def.route_origin);
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "environment: layer '%.80s' runs through the cable's axis at the start, near (%.3f, %.3f, %.3f) "
+                     "m: move the model or the route, leave the part out ('leave'), or give it 'contact: no'",
+                     scene->def.environment.mesh.layer_name[layer], at.x, at.y, at.z);
+}
+
 /* No contact can find on which side of each other crossing lines are. */
 static hawser_status start_check(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
+    const hawser_status status = start_clear(s, err);
+    if (status) return status;
     if (!scene->self.present) return HAWSER_OK;
     const SelfDetail deepest =
         self_deepest(&scene->self, SELF_ALONE(&scene->chain, &s->stage.ws.kin), &s->stage.ws.self);
@@ -724,8 +740,9 @@ static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)
 {
     const size_t rollers = (size_t)scene->contact.n_rollers, surfaces = (size_t)scene->surfaces.model.n_surfaces;
     checkpoint_put(c, "p->side", p->side, rollers * sizeof *p->side);
-    checkpoint_put(c, "p->gone", p->gone, (rollers + surfaces) * sizeof *p->gone);
+    checkpoint_put(c, "p->gone", p->gone, (rollers + surfaces + 1) * sizeof *p->gone);
     checkpoint_put(c, "p->seen", p->seen, surfaces * SURFACE_FACES_MAX * (size_t)scene->total * sizeof *p->seen);
+    if (p->last) checkpoint_put(c, "p->last", p->last, (size_t)scene->total * sizeof *p->last);
     CHECKPOINT(c, p->through);
     CHECKPOINT(c, p->due);
     CHECKPOINT(c, p->says);

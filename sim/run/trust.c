@@ -308,7 +308,7 @@ static const struct {
      */
     [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},
     /* no segment passes through a support
-     * Holds if: the cable goes through no roller or surface.
+     * Holds if: the cable goes through no roller, surface or model (EN28).
      * Fails because: segments are long, or contacts soft.
      * Remedy: shorter segments, a stiffer contact, guides.
      */

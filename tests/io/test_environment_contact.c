@@ -43,3 +43,37 @@ TEST(test_nothing_near)
     check_equal(beside.steps, alone.steps);
     check_equal(beside.pull_mean_N, alone.pull_mean_N);
 }
+
+static const char UP[] = "[0 m, 0 m, 30 mm]"; /* the floor lies in the cable's axis */
+
+/* A floor in the cable's axis is refused, unless it cannot be touched. */
+TEST(test_begins_in_it)
+{
+    hawser_sim *sim = NULL;
+    hawser_error err;
+    const char *const in[] = {"environment.0.layers", "[floor]", "environment.0.at", UP, NULL};
+    const char *const beside[] = {
+        "environment.0.layers", "[floor]", "environment.0.at", UP, "environment.0.contact", "no", NULL};
+    assert_int_equal(example_open(CASE, in, &sim, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "environment: layer 'floor' runs through the cable's axis at the start, near (");
+    hawser_sim_free(example_sim(CASE, beside));
+}
+
+/* A run whose cable falls through a floor that is too soft is not trusted; one whose floor bears it is. */
+TEST(test_passes_through)
+{
+    for (int soft = 0; soft < 2; ++soft) {
+        const Outcome out = example_run(
+            CASE, (const char *[]){"environment.0.layers", "[floor]", "solver.relax", "false", "run.keep_going", "true",
+                                   "run.duration", "0.3 s", "run.steady_from", "0.2 s", "contact.k",
+                                   soft ? "100 N/m^1.5" : "3.4e8 N/m^1.5", "contact.c", "1 N s/m", NULL});
+        const hawser_summary *const sum = &out.summary;
+        const hawser_condition *passed = NULL;
+        for (int i = 0; i < sum->n_conditions; ++i)
+            if (sum->conditions[i].kind == HAWSER_CONDITION_PASSED) passed = &sum->conditions[i];
+        assert_non_null(passed);
+        check_equal(passed->value, soft);
+        if (soft) check_has(passed->remedy, "the cable has passed through the environment's layer 'floor': ");
+        hawser_sim_free(out.sim);
+    }
+}
