@@ -746,7 +746,8 @@ static double steady_residual(void *self, int *where)
 {
     Steady *const s = self;
     steady_field(&s->r.scene->chain, s->speed, s->r.y);
-    return larger_of(space_residual(&s->r, where), spins_residual(&s->r));
+    const double forces = space_residual(&s->r, where); /* first: it computes the rates that the spins' follow from */
+    return larger_of(forces, spins_residual(&s->r));
 }
 
 /* (PS6). Newton's matrix without the segments' rotation: in a step that acts as infinity they would make thousands of
