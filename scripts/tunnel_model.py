@@ -1,6 +1,8 @@
 """Writes the example tunnel of 60 m as a GLB or IFC file: walls, brackets, a tray, rollers, and a pipe in the way.
 
-Usage: tunnel_model.py OUT.glb|OUT.ifc
+Usage: tunnel_model.py OUT.glb|OUT.ifc [--check]
+
+With --check nothing is written: the file must be what would be written.
 
 The cable's axis is the route of cases/environment/tunnel.yaml: from the origin 25 m along x, a bend of 20 degrees to the
 left with a radius of 30 m, and a straight to 60 m, all level. Lengths are in m with z upward; GLB has y upward. The file
@@ -205,8 +207,12 @@ def ifc(shapes, nodes):
 
 def main():
     shapes, nodes = model()
+    data = (ifc if sys.argv[1].endswith(".ifc") else glb)(shapes, nodes)
+    if "--check" in sys.argv:
+        with open(sys.argv[1], "rb") as file:
+            sys.exit(file.read() != data and f"{sys.argv[1]} differs from what its script writes")
     with open(sys.argv[1], "wb") as file:
-        file.write((ifc if sys.argv[1].endswith(".ifc") else glb)(shapes, nodes))
+        file.write(data)
     for name, shape in shapes.items():
         n = sum(mesh == name for _, mesh, _, _ in nodes)
         print("%s: %d of %d triangles, %.9g m2, %.9g m3 each" % (name, n, len(shape[1]), *measures(shape)))

@@ -27,11 +27,17 @@ typedef struct Affine {
     double m[3][3], move[3];
 } Affine;
 
-/* An array of the file: n items of some numbers each. */
+/* An array's accessor and the part of the binary chunk in which it lies. */
+typedef struct GltfPlace {
+    json_int_t type, size, n, offset, stride; /* size: bytes of a number; offset: from the chunk's start */
+    int width, normalized;
+} GltfPlace;
+
+/* An array of the file: place.n items of place.width numbers. */
 typedef struct GltfArray {
     json_int_t accessor; /* its index; -1: none has been read */
-    int n, width;
-    double *value; /* [n * width] */
+    GltfPlace place;
+    unsigned char *raw; /* as in the file, from place.offset on */
 } GltfArray;
 
 typedef struct Gltf {
@@ -43,7 +49,7 @@ typedef struct Gltf {
     long nodes;         /* visited so far */
     double numbers;     /* read so far */
     GltfArray position, index;
-    int *vertex;   /* [position.n] vertices of the mesh, -1: not yet added */
+    int *vertex;   /* [position.place.n] vertices of the mesh, -1: not yet added */
     Affine placed; /* of the vertices there */
 } Gltf;
 
@@ -85,12 +91,6 @@ static int numbers_of(const json_t *object, const char *key, size_t n, double *v
 }
 
 /* ---------------------------------------------------------------------------------------------------- arrays */
-
-/* An array's accessor and the part of the binary chunk in which it lies. */
-typedef struct GltfPlace {
-    json_int_t type, size, n, offset, stride; /* size: bytes of a number; offset: from the chunk's start */
-    int width, normalized;
-} GltfPlace;
 
 /* Finds the place of an accessor of `width` numbers an item. Errors: INPUT. */
 static hawser_status place_of(const Gltf *g, json_int_t index, int width, GltfPlace *out)
@@ -149,32 +149,29 @@ static double number_at(const unsigned char *b, const GltfPlace *p)
     return p->normalized ? fmax(value / full[p->type - TYPE_BYTE], -1) : value;
 }
 
+/* Number k of item i. */
+static double array_number(const GltfArray *a, int i, int k)
+{
+    return number_at(a->raw + (size_t)i * (size_t)a->place.stride + (size_t)k * (size_t)a->place.size, &a->place);
+}
+
 /* Reads an accessor, unless it is the one that was read last. Errors: INPUT, MEMORY. */
 static hawser_status array_read(Gltf *g, json_int_t accessor, int width, GltfArray *out)
 {
     GltfPlace p;
-    if (out->accessor == accessor && out->value) return HAWSER_OK;
+    if (out->accessor == accessor && out->raw) return HAWSER_OK;
     const hawser_status status = place_of(g, accessor, width, &p);
     if (status) return status;
     g->numbers += (double)p.n * width;
     if (g->numbers > NUMBERS_MOST) return input_error(g->in, "more than %g numbers are to be read", NUMBERS_MOST);
-    const size_t n = (size_t)p.n, item_size = (size_t)(p.size * width), stride = (size_t)p.stride;
-    const size_t bytes = (n - 1) * stride + item_size;
-    free(out->value);
-    *out = (GltfArray){.accessor = accessor, .n = (int)n, .width = width};
-    unsigned char *const raw = malloc(bytes);
-    out->value = malloc(n * (size_t)width * sizeof *out->value);
-    if (!raw || !out->value) {
-        free(raw);
-        return error_memory(g->in->err);
-    }
+    const size_t bytes = (size_t)((p.n - 1) * p.stride + p.size * width);
+    free(out->raw);
+    *out = (GltfArray){.accessor = accessor, .place = p, .raw = malloc(bytes)};
+    if (!out->raw) return error_memory(g->in->err);
     input_seek(g->in, g->bin + (long)p.offset);
-    const size_t got = fread(raw, 1, bytes, g->in->file);
-    for (size_t i = 0; i < n && got == bytes; ++i)
-        for (size_t k = 0; k < (size_t)width; ++k)
-            out->value[i * (size_t)width + k] = number_at(raw + i * stride + k * (size_t)p.size, &p);
-    free(raw);
-    return got == bytes ? HAWSER_OK : input_error(g->in, "the file ends inside of its binary chunk");
+    return fread(out->raw, 1, bytes, g->in->file) == bytes
+               ? HAWSER_OK
+               : input_error(g->in, "the file ends inside of its binary chunk");
 }
 
 /* ---------------------------------------------------------------------------------------------------- meshes */
@@ -188,10 +185,12 @@ static void moved(const Affine *a, const double p[3], double out[3])
 static int vertex_of(Gltf *g, const Affine *place, Box *box, double index)
 {
     double at[3];
-    if (!(index >= 0 && index < g->position.n)) return -2;
+    if (!(index >= 0 && index < (double)g->position.place.n)) return -2;
     const int i = (int)index;
     if (!box && g->vertex[i] >= 0) return g->vertex[i];
-    moved(place, g->position.value + 3 * (size_t)i, at);
+    const double own[3] = {array_number(&g->position, i, 0), array_number(&g->position, i, 1),
+                           array_number(&g->position, i, 2)};
+    moved(place, own, at);
     for (int k = 0; k < 3; ++k)
         if (!(fabs(at[k]) < 1e9)) return -3;
     if (box) {
@@ -226,13 +225,13 @@ static void corners_of(json_int_t mode, int t, int corner[3])
 static hawser_status shapes_add(Gltf *g, const Affine *place, Box *box, json_int_t mode, int indexed, int mirrored,
                                 int layer)
 {
-    const int n = indexed ? g->index.n : g->position.n;
+    const int n = (int)(indexed ? g->index.place.n : g->position.place.n);
     const int shapes = mode == MODE_POINTS ? n : mode == MODE_TRIANGLES ? n / 3 : n - 2;
     for (int t = 0; t < shapes; ++t) {
         int corner[3] = {t, t, t}, v[3];
         if (mode != MODE_POINTS) corners_of(mode, t, corner);
         for (int k = 0; k < 3; ++k) {
-            v[k] = vertex_of(g, place, box, indexed ? g->index.value[corner[k]] : corner[k]);
+            v[k] = vertex_of(g, place, box, indexed ? array_number(&g->index, corner[k], 0) : corner[k]);
             if (v[k] < 0) return vertex_error(g, v[k]);
         }
         if (!box && mesh_add_triangle(g->build, v[0], v[1 + mirrored], v[2 - mirrored], layer) < 0)
@@ -260,11 +259,11 @@ static hawser_status primitive_add(Gltf *g, const json_t *primitive, const Affin
     if (!status && indices >= 0) status = array_read(g, indices, 1, &g->index);
     if (status) return status;
     if (!again) {
-        int *const vertex = realloc(g->vertex, (size_t)g->position.n * sizeof *vertex);
+        int *const vertex = realloc(g->vertex, (size_t)g->position.place.n * sizeof *vertex);
         if (!vertex) return error_memory(g->in->err);
         g->vertex = vertex;
         g->placed = *place;
-        memset(vertex, 0xFF, (size_t)g->position.n * sizeof *vertex); /* -1 */
+        memset(vertex, 0xFF, (size_t)g->position.place.n * sizeof *vertex); /* -1 */
     }
     const double(*const m)[3] = place->m;
     const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
@@ -475,8 +474,8 @@ hawser_status gltf_read(SurveyInput *in, const ModelOptions *options, MeshBuild 
     hawser_status status = chunks_read(&g);
     if (!status) status = scene_visit(&g, &top);
     json_decref(g.root);
-    free(g.position.value);
-    free(g.index.value);
+    free(g.position.raw);
+    free(g.index.raw);
     free(g.vertex);
     return status;
 }
