@@ -69,9 +69,9 @@ static void bench_new(Bench *b, int n, int tray)
     def.environment.mesh = m.mesh;
     def.environment.touched = n > 0;
     def.environment.clear = calloc(1, sizeof *def.environment.clear);
-    def.environment.near = calloc(1, sizeof *def.environment.near);
     def.environment.friction = calloc(1, sizeof(double));
     def.environment.friction[0] = 0.2;
+    check(environment_share(&def.environment, &err) == HAWSER_OK, err.message);
     check(scene_build(&def, &b->scene, &err) == HAWSER_OK, err.message);
     scene_def_clear(&def);
     b->y = calloc((size_t)scene_state_size(&b->scene), sizeof *b->y);

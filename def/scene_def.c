@@ -257,7 +257,7 @@ void scene_def_clear(SceneDef *def)
     for (int k = 0; k < def->n_beside; ++k) scene_def_clear(&def->beside[k]);
     free(def->beside);
     profiles_visit(def, visit_free);
-    for (int k = 0; k < def->environment.mesh.n_layers; ++k) free(def->environment.mesh.layer_name[k]);
+    environment_clear(&def->environment);
     for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
     memset(def, 0, sizeof *def);
 }
@@ -274,16 +274,6 @@ static void beside_copy(const SceneDef *def, SceneDef *out, int *ok)
     }
 }
 
-/* Gives the copied list of layers names of its own; after a failure the missing ones are NULL. */
-static void layer_names_copy(const Mesh *from, Mesh *to, int *ok)
-{
-    if (!to->layer_name) to->n_layers = 0;
-    for (int k = 0; k < to->n_layers; ++k) {
-        to->layer_name[k] = strdup(from->layer_name[k]);
-        *ok = *ok && to->layer_name[k];
-    }
-}
-
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
 {
     int ok = 1;
@@ -294,7 +284,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
         memcpy(&count, (const char *)def + owned[i].count, sizeof count);
         array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
     }
-    layer_names_copy(&def->environment.mesh, &out->environment.mesh, &ok);
+    out->environment = environment_copy(&def->environment);
     ok &= profiles_visit(out, profile_own);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);

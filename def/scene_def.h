@@ -320,13 +320,6 @@ typedef struct SceneDef {
     OWNED(route, n_route)                                                                                              \
     OWNED(rollers, n_rollers)                                                                                          \
     OWNED(surfaces, n_surfaces)                                                                                        \
-    OWNED(environment.mesh.vertex, environment.mesh.n_vertices)                                                        \
-    OWNED(environment.mesh.triangle, environment.mesh.n_triangles)                                                     \
-    OWNED(environment.mesh.layer, environment.mesh.n_triangles)                                                        \
-    OWNED(environment.mesh.layer_name, environment.mesh.n_layers)                                                      \
-    OWNED(environment.friction, environment.mesh.n_layers)                                                             \
-    OWNED(environment.clear, environment.mesh.n_layers)                                                                \
-    OWNED(environment.near, environment.mesh.n_layers)                                                                 \
     OWNED(conveyors, n_conveyors)                                                                                      \
     OWNED(jams, n_jams)                                                                                                \
     OWNED(script, n_script)                                                                                            \

@@ -402,6 +402,8 @@ static hawser_status solve(const Setup *setup, double apart, Calculator *c, haws
         status = apart < INFINITY ? plan_heads(&c->def, k, apart, &c->heads[k], err)
                                   : plan_peaks(&c->def, k, like, &c->heads[k], err);
     }
+    for (int k = 0; k < PLAN_WAYS && !status; ++k)
+        if (!c->def.skip[k] && !c->base) status = clearances_of_way(setup, &c->def, k, &c->near[k], err);
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         double relief = 0;
         if (!c->def.skip[k] && !isnan(apart)) status = plan_relief(&c->def, k, &relief, err);
@@ -522,7 +524,8 @@ hawser_status calculator_vary(const Setup *setup, const Calculator *base, const 
                               hawser_error *err)
 {
     const double apart = peaks_count(setup) ? INFINITY : NAN;
-    *out = (Calculator){.cables = base->cables, .route = base->route, .def = base->def};
+    *out = (Calculator){
+        .cables = base->cables, .route = base->route, .def = base->def, .base = base->base ? base->base : base};
     memcpy(out->known, base->known, sizeof out->known);
     out->def.n_steps = 0;
     out->def.beyond = by->beyond;
@@ -559,6 +562,7 @@ void calculator_free(Calculator *c)
     stretches_free(&c->stretches);
     for (int k = 0; k < PLAN_WAYS; ++k) {
         free(c->push[k]);
+        free(c->near[k]);
         plan_heads_free(&c->heads[k]);
     }
     route_clear(&c->own);

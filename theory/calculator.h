@@ -4,6 +4,7 @@
 #define HAWSER_THEORY_CALCULATOR_H
 
 #include "def/limits.h"
+#include "theory/environment.h"
 #include "theory/expected.h"
 #include "theory/plan.h"
 
@@ -78,7 +79,9 @@ typedef struct Calculator {
     double early[PLAN_WAYS];            /* s, of AWAY_EARLY: time of the largest compression */
     Brake brake[PLAN_WAYS];             /* against run-away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
-    int best; /* direction that keeps the limits better; without limits the one with less force */
+    int best;                      /* direction that keeps the limits better; without limits the one with less force */
+    LayerNear *near[PLAN_WAYS];    /* [layers] owned: clearances from the environment; NULL: none, or the base's */
+    const struct Calculator *base; /* of a variation: what it varies, borrowed; NULL: it is none */
     hawser_condition known[CALCULATOR_KNOWN]; /* theory takes everything in the case into account */
 } Calculator;
 

@@ -3,43 +3,33 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/error.h"
-#include "theory/setup.h"
+#include "def/bundle_def.h"
 
 hawser_status clearances_new(const EnvironmentDef *def, bool least, Clearances *out, hawser_error *err)
 {
-    const Mesh *const all = &def->mesh;
-    int n = 0;
-    *out = (Clearances){.mesh = *all, .bound = ENVIRONMENT_REACH, .least = least};
-    out->mesh.triangle = NULL;
-    out->mesh.layer = NULL;
-    out->mesh.n_triangles = 0;
-    if (all->n_layers == 0) return HAWSER_OK;
-    for (int t = 0; t < all->n_triangles; ++t) n += def->clear[all->layer[t]];
-    out->mesh.triangle = malloc(((size_t)n + 1) * sizeof *out->mesh.triangle);
-    out->mesh.layer = malloc(((size_t)n + 1) * sizeof *out->mesh.layer);
-    out->near = malloc((size_t)all->n_layers * sizeof *out->near);
-    if (!out->mesh.triangle || !out->mesh.layer || !out->near) return error_memory(err);
-    for (int k = 0; k < all->n_layers; ++k) out->near[k] = (LayerNear){INFINITY, NAN, NAN};
-    for (int t = 0; t < all->n_triangles; ++t) {
-        if (!def->clear[all->layer[t]]) continue;
-        memcpy(out->mesh.triangle[out->mesh.n_triangles], all->triangle[t], sizeof *all->triangle);
-        out->mesh.layer[out->mesh.n_triangles++] = all->layer[t];
-    }
-    if (n == 0) return HAWSER_OK;
-    out->tree = triangle_tree_new(&out->mesh);
-    return out->tree ? HAWSER_OK : error_memory(err);
+    *out = (Clearances){.of = def, .bound = ENVIRONMENT_REACH, .least = least};
+    if (!def->tree) return HAWSER_OK;
+    out->near = malloc((size_t)def->mesh.n_layers * sizeof *out->near);
+    if (!out->near) return error_memory(err);
+    for (int k = 0; k < def->mesh.n_layers; ++k) out->near[k] = (LayerNear){INFINITY, NAN, NAN};
+    return HAWSER_OK;
 }
 
 void clearances_free(Clearances *c)
 {
-    triangle_tree_free(c->tree);
-    free(c->mesh.triangle);
-    free(c->mesh.layer);
     free(c->near);
     *c = (Clearances){0};
+}
+
+/* Nothing that is farther lowers any distance, m. */
+static double farthest_of(const Clearances *c)
+{
+    double most = -INFINITY;
+    for (int k = 0; k < c->of->mesh.n_layers; ++k)
+        if (c->of->clear[k]) most = fmax(most, c->near[k].distance);
+    return most;
 }
 
 /* (EN4) */
@@ -48,14 +38,14 @@ void clearances_add(Clearances *c, Vec3 a, Vec3 b, double radius, double s0, dou
     const double from[3] = {a.x, a.y, a.z}, to[3] = {b.x, b.y, b.z};
     double foot[3];
     int triangle = -1;
-    const double d = triangle_tree_distance(c->tree, from, to, c->bound + radius, &triangle, foot) - radius;
+    const double d = triangle_tree_distance(c->of->tree, from, to, c->bound + radius, &triangle, foot) - radius;
     if (triangle < 0) return;
-    LayerNear *const near = &c->near[c->mesh.layer[triangle]];
+    LayerNear *const near = &c->near[c->of->kept->layer[triangle]];
     if (!(d < near->distance)) return;
-    if (c->least) c->bound = d;
     const Vec3 along = v3_sub(b, a), arm = v3_sub(v3(foot[0], foot[1], foot[2]), a);
     const double length2 = v3_dot(along, along), share = length2 > 0 ? v3_dot(arm, along) / length2 : 0;
     *near = (LayerNear){d, s0 + fmin(fmax(share, 0), 1) * (s1 - s0), t};
+    c->bound = c->least ? d : fmin(ENVIRONMENT_REACH, farthest_of(c));
 }
 
 /* Longest piece of a line of that curvature whose chord is within 0.1 mm of it, and which finds its own nearest layer,
@@ -66,23 +56,58 @@ static double chord_of(double curvature)
     return fmin(LONGEST, sqrt(8 * OFF / fmax(curvature, 1e-9)));
 }
 
-hawser_status clearances_of_route(SceneDef *def, const Route *route, double radius, hawser_error *err)
+/* The cable's line from s0 to s1, sagging between a and b by `sag` half way, in n straight parts. */
+static void line_add(Clearances *c, const Setup *setup, double s0, double s1, int n, double sag, double radius)
 {
-    Clearances c;
-    hawser_status status = clearances_new(&def->environment, false, &c, err);
-    for (int p = 0; c.tree && p < route->n; ++p) {
-        const RoutePiece *const piece = &route->piece[p];
-        const double bent = piece->kind == ROUTE_STRAIGHT ? 0 : 1 / piece->radius;
-        const int n = 1 + (int)(piece->length / chord_of(bent));
-        for (int k = 0; k < n; ++k) {
-            const double s0 = piece->s0 + k * piece->length / n, s1 = piece->s0 + (k + 1) * piece->length / n;
-            clearances_add(&c, setup_line_at(def, route, s0), setup_line_at(def, route, s1), radius, s0, s1, NAN);
-        }
+    Vec3 last = V3_ZERO;
+    for (int k = 0; k <= n; ++k) {
+        const double x = (double)k / n, s = s0 + x * (s1 - s0);
+        const Vec3 here = v3_axpy(setup_line_at(setup->def, setup->route, s), -4 * x * (1 - x) * sag, v3(0, 0, 1));
+        if (k > 0) clearances_add(c, last, here, radius, s - (s1 - s0) / n, s, NAN);
+        last = here;
     }
-    free(def->environment.near);
-    def->environment.near = c.near;
-    c.near = NULL;
-    clearances_free(&c);
+}
+
+/* The curvature of the route's piece at s, 1/m. */
+static double bent_at(const Route *route, double s) { return v3_norm(route_at(route, s).curvature); }
+
+/* (EN5) */
+static void spans_add(Clearances *c, const Setup *setup, const Pull *pull, double radius)
+{
+    double from, to;
+    for (double s = 0; supports_span(&setup->supports, s, &from, &to); s = to) {
+        const double sag = span_hangs(setup, setup->route, pull, from, to), length = to - from;
+        if (!(sag > 0)) continue;
+        const double bent = fmax(bent_at(setup->route, from), bent_at(setup->route, to));
+        line_add(c, setup, from, to, 2 + (int)(length / chord_of(bent + 8 * sag / (length * length))), sag, radius);
+    }
+}
+
+/* Whatever supports the cable holds it on the route. */
+static void route_add(Clearances *c, const Setup *setup, double radius)
+{
+    for (int p = 0; p < setup->route->n; ++p) {
+        const RoutePiece *const piece = &setup->route->piece[p];
+        const double bent = piece->kind == ROUTE_STRAIGHT ? 0 : 1 / piece->radius;
+        line_add(c, setup, piece->s0, piece->s0 + piece->length, 1 + (int)(piece->length / chord_of(bent)), 0, radius);
+    }
+}
+
+hawser_status clearances_of_way(const Setup *setup, const PlanDef *plan, int way, LayerNear **near, hawser_error *err)
+{
+    const PlanPullDef whole = {.way = way, .whole = 1};
+    const PlanDef slack = plan_slack(plan);
+    const double radius = bundle_diameter(setup->def) / 2;
+    Clearances c;
+    Pull pull;
+    hawser_status status = clearances_new(&setup->def->environment, false, &c, err);
+    if (!status && c.near && setup->def->theory.simulated) { /* first, so that it bounds the search for the rest */
+        status = plan_pull(&slack, &whole, &pull, err);
+        if (!status) spans_add(&c, setup, &pull, radius);
+        if (!status) pull_clear(&pull);
+    }
+    if (!status && c.near) route_add(&c, setup, radius);
+    *near = c.near;
     return status;
 }
 

@@ -97,7 +97,6 @@ void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS])
     finding[HAWSER_LIMIT_SQUEEZE] = squeeze(def);
     finding[HAWSER_LIMIT_PUSH].absent = def->n_conveyors == 0;
     finding[HAWSER_LIMIT_SPEED] = speed_said(setup);
-    finding[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = clearances_finding(&def->environment, def->environment.near, false);
     if (has_row(def)) return;
     finding[HAWSER_LIMIT_ALPHA].absent = 1;
     if (!has_rating(def)) finding[HAWSER_LIMIT_ROLLER_STEADY].absent = finding[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;
@@ -317,6 +316,8 @@ static hawser_status findings_of_way(const Setup *setup, const Route *route, con
     findings_trip(setup, w->force, finding[HAWSER_LIMIT_ROPE].value, c->beyond[way], &finding[HAWSER_LIMIT_TRIP]);
     if (finding[HAWSER_LIMIT_RUN_AWAY].value > 0) finding[HAWSER_LIMIT_TRIP].steady = NAN;
     findings_of_scene(setup, finding);
+    finding[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] =
+        clearances_finding(&setup->def->environment, (c->base ? c->base : c)->near[way], false);
     finding[HAWSER_LIMIT_ROPE_BEND] = rope_bend(setup, route, 0, c->roller);
     /* machines that are to be placed push too, even if there are none yet */
     const int asked = has_machines(c) || !isnan(setup->def->theory.machine_push);

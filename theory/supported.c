@@ -45,12 +45,11 @@ static double off_chord(const Supports *map, Span span)
     return most;
 }
 
-/* Finds the next unsupported span from `from` (m) on; returns 0 if there is none. */
-static int next_span(const Supports *map, double from, Span *out)
+int supports_span(const Supports *map, double s, double *from, double *to)
 {
-    out->from = supports_covered(map, from);
-    if (!(out->from < map->route->length)) return 0;
-    out->to = supports_next(map, out->from);
+    *from = supports_covered(map, s);
+    if (!(*from < map->route->length)) return 0;
+    *to = supports_next(map, *from);
     return 1;
 }
 
@@ -64,6 +63,13 @@ static double sag_of(const Setup *setup, const Route *route, const Pull *pull, S
     for (int p = 0; p < scene_def_eye(def); ++p) stiff = fmin(stiff, def->cables[def->pieces[p].cable].ei_z);
     const double held = fmax(0, pull_at(pull, middle).tension) + 9.6 * fmax(0, stiff) / (length * length);
     return setup->cable_weight * across * length * length / (8 * held);
+}
+
+double span_hangs(const Setup *setup, const Route *route, const Pull *pull, double from, double to)
+{
+    const Span span = {from, to};
+    const double length = to - from, sag = length > 0 ? sag_of(setup, route, pull, span) : 0;
+    return (length > SPAN && sag > SAG * length) || has_floor(&setup->supports, span) ? 0 : sag;
 }
 
 /* Checks the spans of one direction at their least tension, with friction as far as the script lowers it. */
@@ -80,7 +86,7 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
     if (!status) status = plan_pull(&slack, &whole, &pull, err);
     free(own);
     if (status) return status;
-    for (Span span = {0, 0}; next_span(map, span.to, &span);) {
+    for (Span span = {0, 0}; supports_span(map, span.to, &span.from, &span.to);) {
         const double from = span.from, to = span.to;
         if (!(to - from > SPAN) || has_floor(map, span)) continue;
         const double sag = fmax(sag_of(setup, c->route, &pull, span), off_chord(map, span)) / (to - from);
@@ -99,7 +105,7 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
 /* Checks for any span of that length. */
 static int has_span(const Supports *map)
 {
-    for (Span span = {0, 0}; next_span(map, span.to, &span);)
+    for (Span span = {0, 0}; supports_span(map, span.to, &span.from, &span.to);)
         if (span.to - span.from > SPAN) return 1;
     return 0;
 }

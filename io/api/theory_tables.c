@@ -235,14 +235,15 @@ static int by_distance(const void *a, const void *b)
 }
 
 /* Layers of the environment that are to be kept clear of, the nearest first (EN4). */
-static int layers_add(const Setup *setup, TheoryTables *t)
+static int layers_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const EnvironmentDef *const e = &setup->def->environment;
+    const LayerNear *const near = c->near[PLAN_FORWARD];
     int n = 0;
-    for (int k = 0; e->near && k < e->mesh.n_layers; ++k) n += isfinite(e->near[k].distance);
+    for (int k = 0; near && k < e->mesh.n_layers; ++k) n += isfinite(near[k].distance);
     LayerRow *const row = table_add(t, "environment", "Clearance from the environment", layer_columns, n);
     for (int k = 0, i = 0; row && i < n; ++k)
-        if (isfinite(e->near[k].distance)) row[i++] = (LayerRow){e->mesh.layer_name[k], e->near[k]};
+        if (isfinite(near[k].distance)) row[i++] = (LayerRow){e->mesh.layer_name[k], near[k]};
     if (row && n) qsort(row, (size_t)n, sizeof *row, by_distance);
     return table_keep(t, n);
 }
@@ -839,7 +840,7 @@ hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const 
 {
     *out = (TheoryTables){0};
     const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
-                     layers_add(setup, out) && pushes_add(setup, c, out) && compressed_add(setup, c, out) &&
+                     layers_add(setup, c, out) && pushes_add(setup, c, out) && compressed_add(setup, c, out) &&
                      heads_add(c, out) && sections_add(setup, c, out) && brakes_add(c, out) &&
                      answers_add(setup, inverse, out) && assumed_add(setup, out) && remedies_add(setup, inverse, out) &&
                      notes_add(setup, c, out) && theory_limits_add(c, PLAN_WAYS, out) && trust_add(c, out) &&

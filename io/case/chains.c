@@ -436,6 +436,10 @@ static hawser_status definitions_read(Reading *all, CaseReadOne *read)
         node_free(own.root);
         if (status) return status;
         all->read = k + 1;
+        if (k > 0) { /* the same for all */
+            environment_clear(&all->def[k].environment);
+            all->def[k].environment = environment_copy(&all->def[0].environment);
+        }
         /* a reel by its weight also acts as the tail's tension */
         if (role.rope || role.still) all->def[k].tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
     }

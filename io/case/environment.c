@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "io/case/case_parts.h"
 #include "survey/model.h"
-#include "theory/environment.h"
 
 enum { FILE_MAX = 1000 };
 
@@ -144,18 +143,15 @@ static hawser_status patterns_read(const CaseReader *r, const CaseNode *list, Mo
     return HAWSER_OK;
 }
 
-/* Adds a model's triangles to those of the case, at their place, with their layers' friction. */
-static hawser_status mesh_join(const CaseReader *r, const Mesh *from, const ModelPlace *place, const ModelRecord *in,
-                               const char *file)
+/* Adds a placed model to those of the case. 0: no memory, or too many triangles. */
+static int mesh_add(const Mesh *from, Mesh *to)
 {
-    EnvironmentDef *const to = &r->def->environment;
-    MeshBuild build = {.mesh = to->mesh};
-    const int before = to->mesh.n_layers;
+    MeshBuild build = {.mesh = *to};
+    const int before = to->n_layers;
     int *const vertex = malloc(((size_t)from->n_vertices + 1) * sizeof *vertex);
     int fine = vertex != NULL;
     for (int v = 0; v < from->n_vertices && fine; ++v) {
-        const Vec3 p = placed(place, v3(from->vertex[v][0], from->vertex[v][1], from->vertex[v][2]));
-        vertex[v] = mesh_add_vertex(&build, (double[3]){p.x, p.y, p.z});
+        vertex[v] = mesh_add_vertex(&build, from->vertex[v]);
         fine = vertex[v] >= 0;
     }
     for (int k = 0; k < from->n_layers && fine; ++k) fine = mesh_append_layer(&build.mesh, from->layer_name[k]);
@@ -164,7 +160,25 @@ static hawser_status mesh_join(const CaseReader *r, const Mesh *from, const Mode
                                  vertex[from->triangle[t][2]], before + from->layer[t]) >= 0;
     mesh_build_end(&build);
     free(vertex);
-    to->mesh = build.mesh;
+    *to = build.mesh;
+    return fine;
+}
+
+/* Takes a model's mesh over into the case, at its place, with its layers' friction. */
+static hawser_status mesh_join(const CaseReader *r, Mesh *from, const ModelPlace *place, const ModelRecord *in,
+                               const char *file)
+{
+    EnvironmentDef *const to = &r->def->environment;
+    const int before = to->mesh.n_layers;
+    int fine = 1;
+    for (int v = 0; v < from->n_vertices; ++v) v3_put(from->vertex[v], placed(place, v3_get(from->vertex[v])));
+    if (before > 0) {
+        fine = mesh_add(from, &to->mesh);
+    } else {
+        mesh_free(&to->mesh);
+        to->mesh = *from; /* the first one needs no copy */
+        *from = (Mesh){0};
+    }
     const size_t n = (size_t)to->mesh.n_layers + 1;
     double *const friction = realloc(to->friction, n * sizeof *friction);
     if (friction) to->friction = friction;
@@ -247,5 +261,5 @@ hawser_status case_environment_settle(CaseReader *r, const CaseNode *list)
         else if (e->friction[k] < 0)
             e->friction[k] = NAN;
     }
-    return list ? clearances_of_route(r->def, &r->route, case_largest_diameter(r->def) / 2, r->err) : HAWSER_OK;
+    return environment_share(e, r->err);
 }

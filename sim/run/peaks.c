@@ -340,7 +340,7 @@ static double drawn_with(const Scene *scene, const hawser_sample *sample)
 /* Cable and rope on the route: what lies before it stands for the reel. */
 static void clearances_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
-    for (int i = 0; peaks->clear.tree && i < scene->chain.n; ++i) {
+    for (int i = 0; peaks->clear.near && i < scene->chain.n; ++i) {
         const double s0 = sample_joint_place(scene, sample, i), s1 = sample_joint_place(scene, sample, i + 1);
         const Vec3 p = v3_load(kin->p, i), arm = v3_scale(scene->chain.half[i], axis_of(kin, i));
         if (s1 < 0 || s0 > scene->route.length) continue;
@@ -783,13 +783,9 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     if (stats->n_surfaces == 0 && !scene->surfaces.facets) f[HAWSER_LIMIT_CONTACT_PRESSURE].absent = 1;
-    const int clear = peaks->recorded > 0 && peaks->clear.tree;
-    const Finding unknown = f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT];
     findings_of_scene(&scene->setup, f);
-    if (clear)
+    if (peaks->recorded > 0 || !peaks->clear.near)
         f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = clearances_finding(&def->environment, peaks->clear.near, true);
-    else if (!f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT].absent)
-        f[HAWSER_LIMIT_CLEARANCE_ENVIRONMENT] = unknown;
     if (strand_is_rope(&def->strand)) f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
     if (def->strand.present && !peaks->borne)
         f[HAWSER_LIMIT_ROLLER_STEADY].absent = f[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;

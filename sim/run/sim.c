@@ -725,7 +725,7 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     checkpoint_text(c, "p->pusher", &p->pusher);
     checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
     checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
-    const size_t layers = p->clear.near ? (size_t)p->clear.mesh.n_layers : 0;
+    const size_t layers = p->clear.near ? (size_t)p->clear.of->mesh.n_layers : 0;
     CHECKPOINT(c, p->clear.bound);
     checkpoint_put(c, "p->clear.near", p->clear.near, layers * sizeof *p->clear.near);
     Compression *const pushed = &p->pushed;

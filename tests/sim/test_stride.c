@@ -65,9 +65,9 @@ TEST(test_way_of_an_environment)
     mesh_build_end(&m);
     def.environment.mesh = m.mesh;
     def.environment.clear = fixture_array(1, sizeof *def.environment.clear);
-    def.environment.near = fixture_array(1, sizeof *def.environment.near);
     def.environment.friction = fixture_array(1, sizeof *def.environment.friction);
     def.environment.touched = true;
+    assert_int_equal(environment_share(&def.environment, NULL), HAWSER_OK);
     Rig *const r = rig_make(&def, NULL);
     const double radius = r->scene.def.cables[0].diameter / 2, skin = fmax(0.01, radius);
     check_close(scene_way(&r->scene), radius / 2, 1e-15);

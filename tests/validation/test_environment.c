@@ -38,10 +38,10 @@ static void environment_set(SceneDef *def, MeshBuild *m, double mu)
     mesh_build_end(m);
     e->mesh = m->mesh;
     e->clear = fixture_array(m->mesh.n_layers, sizeof *e->clear);
-    e->near = fixture_array(m->mesh.n_layers, sizeof *e->near);
     e->friction = fixture_array(m->mesh.n_layers, sizeof *e->friction);
     for (int k = 0; k < m->mesh.n_layers; ++k) e->friction[k] = mu;
     e->touched = true;
+    assert_int_equal(environment_share(e, NULL), HAWSER_OK);
 }
 
 static void tube_add(SceneDef *def, int facets, double cell)
