@@ -16,7 +16,7 @@ NUMBER = re.compile(r"\(([A-Z]{1,2}\d+[a-z]?)\)")
 GIVEN = re.compile(r"^.*\s{2}\(([A-Z]{1,2}\d+[a-z]?)\)\s*$|^\W*\(([A-Z]{1,2}\d+[a-z]?)\)\s", re.M)
 SECTION = re.compile(r'docs/theory\.md, "([^"]+)"')
 HEADING = re.compile(r"^#+\s+(.*?)\s*$", re.M)
-ROW = re.compile(r"^\| \[[^]]*\]\((theory/[^)]+)\) \|.*\| ([^|]*?) \|$", re.M)
+ROW = re.compile(r"^\| \[[^]]*\]\((theory/[^)]+)\) \| ([^|]*?) \|$", re.M)
 TOPS = list(tree.BELOW) + ["tests", "bench"]
 
 

@@ -72,13 +72,18 @@ def check(root, names=()):
     return complaints
 
 
+def check_words(found):
+    total = sum(n for n, _ in found)
+    return [f"documents: {total} words, of at most {WORDS}: shorten as much as you add"] if total > WORDS else []
+
+
 def main():
     root, names = sys.argv[1], sys.argv[2:]
     if names == ["--words"]:
         found = counted(pages(root))
         print("\n".join(f"{n:6} {name}" for n, name in [(sum(n for n, _ in found), "all"), *found]))
         return 0
-    return tree.report("style", check(root, names))
+    return tree.report("style", check(root, names) + ([] if names else check_words(counted(pages(root)))))
 
 
 if __name__ == "__main__":
