@@ -414,26 +414,16 @@ static int is_key(const char *key, const char *name)
     return dot && strcmp(dot + 1, name) == 0;
 }
 
-/* Largest number of printed parts that are not in the route. */
-enum { SAID_MOST = 3 };
-
 /* Prints the accuracy of EI, the only estimate that changes a run. */
 void report_assumptions(const hawser_sim *s, hawser_units units)
 {
     const hawser_assumption *list;
     const int n = hawser_sim_assumptions(s, &list);
     char line[1024], shown[1024];
-    int taken = 0, estimated = 0, left = 0;
+    int taken = 0, estimated = 0;
     for (int i = 0; i < n; i++) {
         taken += strcmp(list[i].origin, "catalogue") == 0;
         estimated += strcmp(list[i].origin, "estimated") == 0;
-        left += strcmp(list[i].origin, "not read") == 0;
-    }
-    if (left) printf("\nNot in the route, of its file%s:\n", left > SAID_MOST ? " (hawser check lists all)" : "");
-    for (int i = 0, said = 0; i < n && said < SAID_MOST; i++) {
-        if (strcmp(list[i].origin, "not read") != 0) continue;
-        printf("  %s\n", list[i].source);
-        ++said;
     }
     if (taken + estimated == 0) return;
     printf("\nAssumed: %d values from the catalogue, %d estimated (hawser check lists them)\n", taken, estimated);

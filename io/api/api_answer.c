@@ -104,9 +104,10 @@ static const char *plain(double value, char text[32])
 
 void answer_unusual(Answer *a, const SceneDef *def, const Route *route)
 {
-    char value[32], least[32], most[32];
+    char value[32], least[32], most[32], unread[300];
     PlausibleRow row[PLAUSIBLE_ROWS];
     const int n = plausible_find(def, route, row);
+    if (theory_unread(def, unread, sizeof unread)) answer_line(a, "not read", "%s", unread);
     for (int i = 0; i < n; ++i)
         answer_line(a, "unusual", "%s of %c%s%c: %s%s%s, usually %s to %s: is the unit right?", row[i].what,
                     NAME_BEGINS, row[i].of, NAME_ENDS, plain(row[i].value, value), *row[i].unit ? " " : "", row[i].unit,

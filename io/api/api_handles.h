@@ -141,6 +141,8 @@ int theory_limits_add(const Calculator *c, int ways, TheoryTables *t);
 /* Computes the conditions of trust of one way of theory. */
 enum { THEORY_CONDITIONS = CALCULATOR_KNOWN + 2 };
 void theory_conditions(const Calculator *c, int way, hawser_condition held[THEORY_CONDITIONS]);
+/* Writes the first of the parts of files that are not in the route, or "", and returns their number. */
+int theory_unread(const SceneDef *def, char *text, size_t room);
 /* Makes the tables; their texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
 hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);
@@ -169,7 +171,8 @@ typedef struct Answer {
 } Answer;
 enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 
-/* Write, above the verdict, the unusual values of the case, and the assumptions that its limits depend on. */
+/* Write, above the verdict, what was not read of its files, the unusual values of the case, and the assumptions that
+ * its limits depend on. */
 void answer_unusual(Answer *a, const SceneDef *def, const Route *route);
 void answer_assumed(Answer *a, const Setup *setup, int n);
 void answer_verdict(Answer *a, const char *verdict);

@@ -688,8 +688,7 @@ static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
 static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/guide/plan-a-duct.md */
 
-/* Writes the parts of a file that are not in the route, if there are any. 1: a note. */
-static int unread_say(const SceneDef *def, char *text, size_t room)
+int theory_unread(const SceneDef *def, char *text, size_t room)
 {
     const hawser_assumption *first = NULL;
     int n = 0;
@@ -698,10 +697,9 @@ static int unread_say(const SceneDef *def, char *text, size_t room)
         if (strcmp(a->origin, "not read") != 0) continue;
         if (n++ == 0) first = a;
     }
-    if (!first) return 0;
-    snprintf(text, room, "not in the route, of its file: %.240s%s", first->source,
-             n > 1 ? ", and more (hawser check lists it)" : "");
-    return 1;
+    *text = 0;
+    if (n) snprintf(text, room, "%.240s%s", first->source, n > 1 ? ", and more (hawser check lists it)" : "");
+    return n;
 }
 
 /* Adds notes on what the calculation leaves to the planner. */
@@ -709,6 +707,7 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const TheoryDef *const theory = &setup->def->theory;
     NoteRow *const row = table_add(t, "notes", "Notes", note_columns, 4);
+    char unread[300];
     int n = 0;
     if (!row) return 0;
     if (theory->temperature < COLD) {
@@ -737,7 +736,8 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
                  theory->wear_by == WEAR_CABLE ? "that a place of the cable has been pulled"
                                                : "of cable that has passed a place");
     }
-    n += unread_say(setup->def, row[n].text, sizeof row->text);
+    if (theory_unread(setup->def, unread, sizeof unread))
+        snprintf(row[n++].text, sizeof row->text, "not in the route, of its file: %s", unread);
     return table_keep(t, n);
 }
 

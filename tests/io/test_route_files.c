@@ -301,12 +301,16 @@ TEST(what_is_not_in_the_route)
     fclose(f);
     hawser_case *c = NULL;
     hawser_error err;
-    char *theory = NULL, *check = NULL;
+    char *theory = NULL, *check = NULL, *shown = NULL;
+    static const hawser_theory_options terminal = {.width = 80};
     assert_int_equal(hawser_case_load(name, &c, &err), HAWSER_OK);
     if (hawser_case_theory(c, HAWSER_JSON, &theory, &err)) fail_msg("%s", err.message);
+    if (hawser_case_theory_shown(c, HAWSER_TABLE, &terminal, &shown, NULL, &err)) fail_msg("%s", err.message);
     if (hawser_case_describe(c, HAWSER_JSON, &check, &err)) fail_msg("%s", err.message);
     check_has(theory, "not in the route, of its file: gap of 0.02 m at 300.0");
     check_has(check, "\"not read\"");
+    check_has(shown, "not read       gap of 0.02 m at 300.0"); /* above the verdict */
+    hawser_text_free(shown);
     hawser_text_free(theory);
     hawser_text_free(check);
     hawser_case_free(c);
