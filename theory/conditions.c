@@ -291,7 +291,8 @@ static const struct {
      */
     [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"},
     /* of theory: no surface has more friction than assumed
-     * Holds if: no row, roller, plane or `drive.script` has more friction than `friction.mu`.
+     * Holds if: no row, roller, plane or `drive.script` has more friction than `friction.mu`; of a roller that turns
+     * freely, its bearing's counts.
      * Fails because: one has more than the value that the calculation takes.
      * Remedy: give the larger value as `friction.mu`, or per stretch in `theory.stretches`.
      */
