@@ -185,7 +185,9 @@ double bundle_share(const SceneDef *def, const SurfaceDef *surface)
 
 JamRisk bundle_jam_risk(const SceneDef *def, const DuctLoad *load)
 {
-    return def->limits.present && limits_jams(&def->limits, load) ? JAM_SIGNIFICANT : load->jam_risk;
+    if (!def->limits.present) return load->jam_risk;
+    if (limits_jams(&def->limits, load)) return JAM_SIGNIFICANT;
+    return load->jam_risk < JAM_MODERATE ? load->jam_risk : JAM_MODERATE; /* the case's own band decides */
 }
 
 static hawser_bundle_duct duct_said(const SceneDef *def, const SurfaceDef *duct, const DuctLoad *load)

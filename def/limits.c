@@ -610,7 +610,7 @@ static double jam_distance(const LimitsDef *def, double ratio, int triangle)
 int limits_jams(const LimitsDef *def, const DuctLoad *load)
 {
     const int three = load->jam_risk != JAM_NONE;
-    return three && jam_distance(def, load->jam_ratio, load->layout == DUCT_TRIANGLE) < 0;
+    return three && jam_distance(def, load->jam_ratio, load->layout == DUCT_TRIANGLE) < -ROUNDING * load->jam_ratio;
 }
 
 /* Replaces the finding if this duct is worse. */

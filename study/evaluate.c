@@ -520,8 +520,8 @@ static int is_close_only(const json_t *conditions)
     json_array_foreach((json_t *)(size_t)conditions, i, condition)
     {
         if (!json_is_false(json_object_get(condition, "holds"))) continue;
-        const char *const name = json_string_value(json_object_get(condition, "name"));
-        *(name && !strcmp(name, trust_name(HAWSER_CONDITION_DECIDED)) ? &close : &other) += 1;
+        const int kind = trust_kind(json_string_value(json_object_get(condition, "name")));
+        *(kind == HAWSER_CONDITION_DECIDED ? &close : &other) += 1;
     }
     return close && !other;
 }

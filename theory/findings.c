@@ -12,6 +12,7 @@
 #include "theory/buckling.h"
 #include "theory/calculator.h"
 #include "theory/place.h"
+#include "theory/search.h"
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
@@ -399,7 +400,7 @@ static Finding bend_finding(const Calculator *c, int way)
     for (int p = 0; p < c->route->n; ++p) {
         const RoutePiece *const piece = &c->route->piece[p];
         if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
-        if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
+        if (isinf(f.value) || exceeds(f.value, piece->radius)) f = finding_at(c->route, piece->radius, piece->s0);
     }
     return f;
 }
@@ -423,7 +424,7 @@ static Finding contact_finding(const Setup *setup, const Calculator *c, const Pl
         if (!on) continue;
         const PieceExtremes most = pull_piece_extremes(&way->pull, p);
         const double force = bundle_share(setup->def, on) * fmax(most.down, most.aside);
-        if (f.absent || force > f.value) f = finding_at(c->route, force, c->route->piece[p].s0);
+        if (f.absent || exceeds(force, f.value)) f = finding_at(c->route, force, c->route->piece[p].s0);
     }
     return f;
 }
@@ -589,7 +590,7 @@ const hawser_limit *calculator_worst(const Calculator *c, int way)
     const hawser_limit *worst = NULL;
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[way][i];
-        if (l->judged && (!worst || l->margin < worst->margin)) worst = l;
+        if (l->judged && (!worst || l->margin < worst->margin - 1e-9)) worst = l;
     }
     return worst;
 }
@@ -602,7 +603,7 @@ static void best_set(Calculator *c)
     c->best = c->plan.better;
     if (there != back) {
         c->best = back ? PLAN_BACKWARD : PLAN_FORWARD;
-    } else if (a && b && fabs(a->margin - b->margin) > 1e-12) {
+    } else if (a && b && fabs(a->margin - b->margin) > 1e-9) {
         c->best = b->margin > a->margin ? PLAN_BACKWARD : PLAN_FORWARD;
     }
 }
@@ -658,7 +659,7 @@ hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error 
 {
     const hawser_status status = brakes_set(setup, c, err);
     if (status) return status;
-    c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* over all sections */
+    c->plan.better = exceeds(c->heads[PLAN_FORWARD].peak.force, c->heads[PLAN_BACKWARD].peak.force); /* all sections */
     best_set(c);
     trip_set(setup, c);
     return HAWSER_OK;

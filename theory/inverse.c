@@ -180,7 +180,7 @@ static int critical_bend(const Calculator *c, int way)
     int worst = -1;
     for (int p = 0; p < plan->n; ++p) {
         if (c->route->piece[p].kind == ROUTE_STRAIGHT) continue;
-        if (worst < 0 || plan->way[way].piece[p].sidewall > plan->way[way].piece[worst].sidewall) worst = p;
+        if (worst < 0 || exceeds(plan->way[way].piece[p].sidewall, plan->way[way].piece[worst].sidewall)) worst = p;
     }
     return worst;
 }

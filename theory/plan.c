@@ -944,7 +944,7 @@ hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)
         return status;
     }
     out->n = def->route->n;
-    out->better = out->way[PLAN_BACKWARD].force < out->way[PLAN_FORWARD].force ? PLAN_BACKWARD : PLAN_FORWARD;
+    out->better = exceeds(out->way[PLAN_FORWARD].force, out->way[PLAN_BACKWARD].force) ? PLAN_BACKWARD : PLAN_FORWARD;
     return HAWSER_OK;
 }
 

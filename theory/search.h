@@ -4,6 +4,7 @@
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* Number of items before s, or up to s if `at` is set, in a row that rises by a double: `first` is that of the first
@@ -21,6 +22,9 @@ static inline int items_before(int n, const double *first, size_t size, double s
     }
     return low;
 }
+
+/* Checks whether a exceeds b by more than rounding, so that of equals the first counts. */
+static inline int exceeds(double a, double b) { return a - b > 1e-9 * fmax(fabs(a), fabs(b)); }
 
 /* Compares items that rise by the double with which they begin, for qsort. */
 static inline int compare_first(const void *a, const void *b)

@@ -286,21 +286,14 @@ static void row_add(Row *row, double s)
 
 /* Spacing round a bend that is too short for its own row, from the nearest rollers on either side and the one between;
  * 0 if one roller is a wheel that the cable turns round, or one side has no roller. */
-static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
+static double short_bend_pitch(const Supports *map, const RoutePiece *leg)
 {
-    double before = -INFINITY, behind = INFINITY, inside = 0;
-    for (int i = 0; i < def->n_rollers; ++i) {
-        const RollerDef *const r = &def->rollers[i];
-        if (r->s < leg->s0) {
-            before = fmax(before, r->s);
-        } else if (r->s > leg->s0 + leg->length) {
-            behind = fmin(behind, r->s);
-        } else {
-            inside = 1;
-            if (roller_def_shape(r).radius > leg->radius / 2) return 0;
-        }
-    }
-    return behind - before < INFINITY ? (behind - before) / (1 + inside) : 0;
+    const int first = supports_from(map, leg->s0);
+    int next = first;
+    for (; next < map->n_rollers && map->roller[next].s <= leg->s0 + leg->length; ++next)
+        if (roller_def_shape(&map->def->rollers[map->roller[next].item]).radius > leg->radius / 2) return 0;
+    if (first == 0 || next == map->n_rollers) return 0;
+    return (map->roller[next].s - map->roller[first - 1].s) / (next > first ? 2 : 1);
 }
 
 /* Inspects the rollers of a leg: carriers below, guides beside, pairs on both sides of the cable (two list entries at
@@ -332,7 +325,7 @@ static void rollers_look(const Supports *map, const RoutePiece *leg, double radi
         p->mu = r->friction.mu_d;
     }
     const Row *const by = row[PAIRS].places > 1 ? &row[PAIRS] : row[GUIDES].places > 1 ? &row[GUIDES] : &row[CARRIERS];
-    p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(def, leg);
+    p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(map, leg);
     if (by == &row[PAIRS]) p->room = room;
     if (def->geometry != GEOMETRY_CYLINDER) return;
     p->pairs = row[PAIRS].places;

@@ -585,6 +585,9 @@ static double tension_by_radius(const Setup *setup, const RoutePiece *bend)
     const SceneDef *const def = setup->def;
     double mu = largest_friction(&def->friction);
     for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, largest_friction(&def->surfaces[i].friction));
+    const Supports *const map = &setup->supports;
+    for (int i = supports_from(map, bend->s0); i < map->n_rollers && map->roller[i].s <= bend->s0 + bend->length; ++i)
+        mu = fmax(mu, largest_friction(&def->rollers[map->roller[i].item].friction));
     const double rise =
         fabs(route_slope(setup->route, bend->s0)) + fabs(route_slope(setup->route, bend->s0 + bend->length));
     return setup->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));

@@ -236,6 +236,7 @@ typedef enum PlausibleKind {
     PLAUSIBLE_LENGTH,
     PLAUSIBLE_SPEED,
     PLAUSIBLE_TENSION,
+    PLAUSIBLE_BACK,
     PLAUSIBLE_ROOM,
     PLAUSIBLE_CONDUCTOR,
     PLAUSIBLE_WIDTH
@@ -260,6 +261,8 @@ static const struct {
     [PLAUSIBLE_SPEED] = {"speed of the winch", "m/s", 0, 5},
     /* Of: winch or tail, at the end. Known: the largest pulling winches have 400 kN. */
     [PLAUSIBLE_TENSION] = {"tension", "kN", 0, 1000},
+    /* Of: `drive.tail`, at the end, if not 0. Known: any drum gives more; a bare 1 is 1 N. */
+    [PLAUSIBLE_BACK] = {"back tension", "N", 10, 1e6},
     /* Of: a duct with one power cable from 30 mm on. Known: 1.5 to 2.5; a diameter given as `radius` doubles it. */
     [PLAUSIBLE_ROOM] = {"inside diameter over the cable's", "", 1.02, 3},
     /* Of: `limits`. Known: 0.05 to 0.4 of power cables. */
@@ -358,6 +361,7 @@ int plausible_find(const SceneDef *def, const Route *route, PlausibleRow row[PLA
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     if (turns) look(&notes, PLAUSIBLE_SPEED, "winch", fabs(profile_value(&def->winch.speed, end)));
     if (pulls) look(&notes, PLAUSIBLE_TENSION, "winch", fabs(profile_value(&def->winch.tension, end)) / 1e3);
-    look(&notes, PLAUSIBLE_TENSION, "tail", fabs(profile_value(&def->tail.tension, end)) / 1e3);
+    const double back = fabs(profile_value(&def->tail.tension, end));
+    if (def->tail.given && back > 0) look(&notes, PLAUSIBLE_BACK, "drive.tail", back);
     return notes.n;
 }

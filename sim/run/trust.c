@@ -433,7 +433,12 @@ static const struct {
     [HAWSER_CONDITION_DECIDED] = {"decided", "1"},
 };
 
-const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }
+int trust_kind(const char *name)
+{
+    int k = sizeof kinds / sizeof *kinds - 1;
+    while (k >= 0 && !(name && !strcmp(name, kinds[k].name))) k--;
+    return k;
+}
 
 static void add(List *list, hawser_condition_kind kind, double value, double allowed, const char *format, ...)
     __attribute__((format(printf, 5, 6)));

@@ -87,8 +87,8 @@ typedef struct TrustFacts {
 
 /* Writes the conditions that apply into out [HAWSER_CONDITIONS_MAX]; returns their number. */
 int trust_judge(const TrustFacts *facts, hawser_condition *out);
-/* "energy" of HAWSER_CONDITION_ENERGY and so on, of a run's conditions. */
-const char *trust_name(hawser_condition_kind kind);
+/* HAWSER_CONDITION_ENERGY of "energy" and so on, of a run's conditions; -1: of none. */
+int trust_kind(const char *name);
 /* ----------------------------------------------------------------------------- belts that share a pull */
 
 /* Sharing by millimetres of cable: its uncertainty is no property of the pull. (WI23) */

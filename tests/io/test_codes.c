@@ -160,12 +160,15 @@ TEST(tb889_is_tb889)
     static const struct {
         double ratio; /* D/d */
         int jams;
-    } row[] = {{2.79, 0}, {2.81, 1}, {2.99, 1}, {3.01, 0}, {2.55, 0} /* 1.05 x 2.55 = 2.68 was NOT SAFE */};
+    } row[] = {{2.79, 0}, {2.81, 1}, {2.99, 1}, {3, 0},
+               {3.01, 0}, {2.8, 0},  {2.55, 0} /* 1.05 x 2.55 = 2.68 was NOT SAFE */};
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
         json_t *const answer = in_duct(3, 25 * row[i].ratio, "tb889");
         const json_t *const jam = limit_row(answer, "jam_ratio");
         check_share(number_of(jam, "value"), row[i].ratio, 1e-12); /* was 1.05 times that */
         assert_string_equal(text_of(jam, "ok"), row[i].jams ? "NO" : "yes");
+        const char *const risk = text_of(json_array_get(json_object_get(answer, "ducts"), 0), "jam_risk");
+        assert_int_equal(!strcmp(risk, "significant"), row[i].jams); /* 2.79, 2.8 and 3 were, beside "yes" */
         check_has(text_of(jam, "source"), "TB 889, 4.5.5");
         check_share(number_of(limit_row(answer, "pull"), "limit"), 3 * 50 * 240, 1e-12); /* was 3 x 60 x 240 */
         check_share(number_of(limit_row(answer, "clearance"), "limit"), 13e-3, 1e-12);   /* was 6.35 mm */

@@ -236,6 +236,28 @@ TEST(neighbours_say_the_spacing)
     }
 }
 
+/* A roller that is listed by coordinates counts where the cable reaches it. One that stands 5 m off the cable was taken
+ * for one in every short bend: 1 m instead of 2 m. */
+TEST(far_rollers_divide_no_spacing)
+{
+    static const struct {
+        const char *list;
+        double pitch;
+    } kind[] = {{"[{centre: [10.8, 5, 0], axis: [0, 1, 0]}]", 2},
+                {"[{centre: [10.75, 0, -0.14], axis: [0, 1, 0]}]", 1}};
+    for (int k = 0; k < 2; ++k) {
+        SceneDef def;
+        SegmentMesh mesh = mesh_of(data_with("trust", "route: {head_at: 20 m, pieces: [{straight: 24 m}]}",
+                                             "route: {head_at: 20 m, pieces: [{straight: 10.5 m}, {bend: 10 deg, "
+                                             "radius: 2.3 m, plane: up}, {straight: 13 m}]}"),
+                                   "rollers.list", kind[k].list, &def);
+        assert_int_equal(mesh.n, 1);
+        check_close(mesh.place[0].pitch, kind[k].pitch, 1e-9);
+        segment_mesh_free(&mesh);
+        scene_def_clear(&def);
+    }
+}
+
 /* Shares of a place's tension are shares of the pull in the ratio of the two, at most themselves (EB6). */
 TEST(shares_of_a_larger_pull_are_less)
 {

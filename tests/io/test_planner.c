@@ -422,6 +422,24 @@ TEST(unusual_values_are_questioned)
     }
 }
 
+/* A bare 1 is 1 N, where a planner may have meant 1 kN: it was SAFE without a word. */
+TEST(a_back_tension_of_one_newton_is_questioned)
+{
+    static const char *const values[] = {"1", "0", "1 kN"};
+    static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\nroute: {pieces: [{straight: 50 m}]}\n"
+                               "rollers: {along: {spacing: 2 m}}\nfriction: {mu: 0.3}\nlimits: {pull: 10 kN}\n";
+    for (int k = 0; k < 3; k++) {
+        char *out = NULL;
+        hawser_case *const c = case_with(text, (const char *const[]){"drive.tail.tension", values[k], NULL});
+        assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
+        const char *const note = strstr(out, "  unusual        back tension of drive.tail: 1 N, usually 10 to");
+        assert_int_equal(note != NULL, k == 0);
+        if (k == 0) assert_true(note < strstr(out, "SAFE"));
+        hawser_text_free(out);
+        hawser_case_free(c);
+    }
+}
+
 /* What theory changes by along the route, `--sensitivities`: on the level before any bend tension grows by mu w a
  * metre, and the force on the supports is that of tension and weight at right angles to each other. */
 TEST(changes_along_the_route)
