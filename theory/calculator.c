@@ -561,18 +561,17 @@ void calculator_free(Calculator *c)
     plan_clear(&c->plan);
     stretches_free(&c->stretches);
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        free(c->push[k]);
-        free(c->near[k]);
+        free(c->push[k]), c->push[k] = NULL;
+        free(c->near[k]), c->near[k] = NULL;
         plan_heads_free(&c->heads[k]);
     }
     route_clear(&c->own);
-    free(c->step);
-    free(c->spacing);
-    free(c->guides);
-    free(c->bearer);
-    free(c->beside);
-    free(c->roller);
-    free(c->rule);
-    free(c->duct);
-    *c = (Calculator){0};
+    free(c->step), c->step = NULL;
+    free(c->spacing), c->spacing = NULL;
+    free(c->guides), c->guides = NULL;
+    free(c->bearer), c->bearer = NULL;
+    free(c->beside), c->beside = NULL;
+    free(c->roller), c->roller = NULL;
+    free(c->rule), c->rule = NULL;
+    free(c->duct), c->duct = NULL;
 }
