@@ -541,7 +541,8 @@ static int sentences_length(const char *text)
 static hawser_status number_add(const Walk *w, const CaseNode *node, const CaseSection *section, const CaseKey *key,
                                 const char *name)
 {
-    const char *const unit = dimension_unit(key->dimension), *const meaning = case_key_meaning(section, key);
+    const char *const unit = dimension_unit(key->dimension), *const meaning =
+                                                                 case_key_meaning(section, key, LANGUAGE_ENGLISH);
     char description[1400], example[112] = "", path[CASE_PATH_MAX];
     double value;
     if (key->dimension == DIM_STIFFNESS || case_number_read(w->r, node, key, &value)) return HAWSER_OK;

@@ -1323,16 +1323,22 @@ static void number_set(Writer *w, json_t *o, const CaseKey *key)
     if (key->dimension != DIM_NONE) put_text(w, o, "x-quantity", dimension_name(key->dimension));
 }
 
-/* The meaning of a key, behind it the range of a number or the form of another value. */
+/* The meaning of a key, behind it the range of a number or the form of another value; for the desk these alone, and the
+ * meaning in the other languages. */
 static void description_set(Writer *w, json_t *o, const CaseSection *section, const CaseKey *key)
 {
     char room[CASE_RANGE_MAX + CASE_FORM_MAX], *text = NULL;
-    const char *const meaning = case_key_meaning(section, key), *more = "";
+    const char *const meaning = case_key_meaning(section, key, LANGUAGE_ENGLISH), *more = "";
     if (key->kind == KEY_NUMBER) more = case_range_text(key, room);
     if (key->form || (key->kind == KEY_MAP && key->section)) more = case_form_text(key, room);
     if (*meaning && asprintf(&text, *more ? "%s (%s)" : "%s", meaning, more) < 0) w->failed = 1;
     put_text(w, o, "description", text ? text : more);
     free(text);
+    put_text(w, o, "x-form", more);
+    if (*meaning && !key->meaning)
+        put(w, o, "x-description",
+            json_pack("{s:s,s:s}", "zh", case_key_meaning(section, key, LANGUAGE_CHINESE), "de",
+                      case_key_meaning(section, key, LANGUAGE_GERMAN)));
 }
 
 /* Also allows a choice that is a number or a truth value as one. */

@@ -115,8 +115,8 @@ hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const 
 int case_word_place(const CaseNode *node, const char *const *word);
 /* Returns the row of a key; the section must have it. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
-/* Meaning of a key, its own or that of io/case/key_words.c; "": there is none. */
-const char *case_key_meaning(const CaseSection *section, const CaseKey *key);
+/* Meaning of a key in a language, from io/case/key_words.c, or its own, which is English alone; "": there is none. */
+const char *case_key_meaning(const CaseSection *section, const CaseKey *key, Language language);
 /* Text on a section as a whole, from the same file; "": there is none. */
 const char *case_section_note(const CaseSection *section);
 /* Finds the path of the file that a section's key `file` names, relative to the case's folder; malloc'ed, the caller's.

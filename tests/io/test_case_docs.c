@@ -148,7 +148,7 @@ TEST(the_reference_of_keys_is_current)
         if (*case_section_note(*s)) page_add(&page, "%s\n\n", case_section_note(*s));
         page_add(&page, "| key | value | default | allowed | meaning |\n|---|---|---|---|---|\n");
         for (int k = 0; k < (*s)->n; k++) {
-            const char *const meaning = case_key_meaning(*s, &(*s)->key[k]);
+            const char *const meaning = case_key_meaning(*s, &(*s)->key[k], LANGUAGE_ENGLISH);
             if (strlen(meaning) < 8)
                 fail_msg("io/case/key_words.c: '%s.%s' has no meaning", (*s)->path, (*s)->key[k].name);
             row_begin(&(*s)->key[k], row);
@@ -159,4 +159,23 @@ TEST(the_reference_of_keys_is_current)
     units_add(&page);
     check_reference("docs/reference/case-keys.md", page.text);
     free(page.text);
+}
+
+/* Chinese is beyond ASCII; German is no English and no Chinese. */
+TEST(every_key_has_its_meaning_in_all_languages)
+{
+    const CaseSection *all[CASE_SECTIONS_MAX];
+    const int n = case_sections(&case_top, all, 0);
+    for (const CaseSection **s = all; s < all + n; s++)
+        for (int k = 0; k < (*s)->n; k++) {
+            const CaseKey *const key = &(*s)->key[k];
+            const char *const english = case_key_meaning(*s, key, LANGUAGE_ENGLISH);
+            const char *const chinese = case_key_meaning(*s, key, LANGUAGE_CHINESE);
+            const char *const german = case_key_meaning(*s, key, LANGUAGE_GERMAN);
+            int beyond = 0, chinese_in_german = 0;
+            for (const char *c = chinese; *c; ++c) beyond += (unsigned char)*c >= 0xe4;
+            for (const char *c = german; *c; ++c) chinese_in_german += (unsigned char)*c >= 0xe3;
+            if (!beyond || !*german || chinese_in_german || (!strcmp(english, german) && strlen(english) > 9))
+                fail_msg("io/case/key_words.c: '%s.%s' lacks a language", (*s)->path, key->name);
+        }
 }

@@ -1,5 +1,6 @@
 // The desk's views: plan with handles, what if, variants, catalogue, equipment, languages, units, keyboard.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
@@ -303,6 +304,21 @@ test('no English is left on the desk in Chinese and German', async () => {
         assert.deepEqual(bad.slice(0, 5), [], `${name}, ${language}, ${left} and ${right}`);
       }
     }
+    // the meaning of every key, a few at a time, as the list of help shows them
+    await page.click('#tab-help');
+    const schema = JSON.parse(execFileSync(process.argv[2], ['schema'], { encoding: 'utf8' }));
+    const named = [...Object.keys(schema.properties), ...Object.keys(schema.$defs)];
+    const seen = new Map();
+    for (const section of named) {
+      await page.fill('#help input[type=search]', section);
+      const shown = await page.$$eval('#help input ~ dl > *', (all) => all.map((one) => one.textContent));
+      for (let i = 0; i < shown.length; i += 2) seen.set(shown[i], shown[i + 1]);
+    }
+    assert.ok(seen.size > 500, `${seen.size} keys`);
+    const rest = [...seen].filter(([, words]) =>
+      /\b(the|of|and|with|is|which|when)\b/i.test(words.replace(/`[^`]*`/g, '')),
+    );
+    assert.deepEqual(rest.slice(0, 5), [], language);
     assert.deepEqual(await page.evaluate(() => window.hawserDesk.withoutRow()), []);
   }
   await close();

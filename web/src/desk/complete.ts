@@ -2,6 +2,7 @@
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
 import { parsed, type Path } from './splice';
+import { languageNow, t } from './words';
 
 /** What the desk reads of a JSON Schema. */
 export interface Schema {
@@ -15,6 +16,9 @@ export interface Schema {
   enum?: unknown[];
   default?: unknown;
   description?: string;
+  deprecated?: boolean;
+  'x-description'?: Record<string, string>;
+  'x-form'?: string;
   'x-absent'?: string;
   'x-quantity'?: string;
   'x-unit'?: string;
@@ -61,13 +65,39 @@ function mapAt(text: string, at: number): Path {
   return found;
 }
 
+const of = <K extends keyof Schema>(schemas: Schema[], key: K): Schema[K] | undefined =>
+  schemas.find((one) => one[key] !== undefined)?.[key];
+
+/** A range or a form of values: `section ...` and numbers in every language. */
+function form(words: string): string {
+  const range = /^(at least|above) (.*), at most (.*)$/.exec(words);
+  const section = /^section (`[^`]+`)$/.exec(words);
+  if (range) return `${range[1] === 'above' ? '>' : '\u2265'} ${range[2] ?? ''}, \u2264 ${range[3] ?? ''}`;
+  return section ? t('section {1}', section[1] ?? '') : t(words);
+}
+
+/** What a key means, behind it the allowed values; in English as the program writes it. */
+function meaning(schemas: Schema[]): string {
+  const english = of(schemas, 'description') ?? '';
+  const own = of(schemas, 'x-description')?.[languageNow()];
+  const more = of(schemas, 'x-form');
+  return own ? `${own}${more ? ` (${form(more)})` : ''}` : english;
+}
+
+const NEUTRAL = /^([\d.e]+( \S+)?|`\w+`)$/; // numbers and words of a case
+
 function detail(schemas: Schema[]): string {
-  const of = <K extends keyof Schema>(key: K) => schemas.find((one) => one[key] !== undefined)?.[key];
-  const absent = of('default') ?? of('x-absent');
-  return [of('x-quantity'), absent === undefined ? '' : `default ${JSON.stringify(absent).replace(/^"(.*)"$/, '$1')}`]
+  const absent = of(schemas, 'x-absent') ?? '';
+  const given = of(schemas, 'default');
+  const words = given === undefined ? (NEUTRAL.test(absent) ? absent : t(absent)) : JSON.stringify(given);
+  return [t(of(schemas, 'x-quantity') ?? ''), words && t('default {1}', words.replace(/^"(.*)"$/, '$1'))]
     .filter(Boolean)
     .join(', ');
 }
+
+/** Names of the keys that a map may have; other names that people type are not offered. */
+const offered = (schema: Schema): string[] =>
+  Object.entries(schema.properties ?? {}).flatMap(([name, one]) => (one.deprecated ? [] : [name]));
 
 export function completions(top: Schema): (context: CompletionContext) => CompletionResult | null {
   return (context) => {
@@ -84,22 +114,20 @@ export function completions(top: Schema): (context: CompletionContext) => Comple
         : null;
     }
     const options: Completion[] = here.flatMap((one) =>
-      Object.keys(one.properties ?? {}).map((name) => {
+      offered(one).map((name) => {
         const schemas = below([one], name, top);
-        const info = schemas.find((each) => each.description)?.description ?? '';
-        return { label: name, apply: `${name}: `, type: 'property', detail: detail(schemas), info };
+        return { label: name, apply: `${name}: `, type: 'property', detail: detail(schemas), info: meaning(schemas) };
       }),
     );
     return options.length ? { from: before.from, options, validFor: /^[\w-]*$/ } : null;
   };
 }
 
-/** What the schema says of a key: its help, quantity and default. English: it is the program's. */
+/** What the schema says of a key: its help, quantity and default. */
 export function about(top: Schema, path: Path): string {
   let here = forms(top, top);
   for (const step of path) here = below(here, step, top);
-  const info = here.find((one) => one.description)?.description ?? '';
-  return [info, detail(here)].filter(Boolean).join(' \u2013 ');
+  return [meaning(here), detail(here)].filter(Boolean).join(' \u2013 ');
 }
 
 const LISTED = 20; // items of a list that are looked into
@@ -111,7 +139,7 @@ export function absent(top: Schema, text: string): string[] {
     if (isSeq(node)) node.items.slice(0, LISTED).forEach((item, i) => walk(below(schemas, i, top), item, [...path, i]));
     if (isSeq(node) || isScalar(node)) return;
     const own = isMap(node) ? node.items.map((pair) => String(isScalar(pair.key) ? pair.key.value : '')) : [];
-    for (const name of new Set([...own, ...schemas.flatMap((one) => Object.keys(one.properties ?? {}))])) {
+    for (const name of new Set([...own, ...schemas.flatMap(offered)])) {
       const here = below(schemas, name, top);
       const map = here.some((one) => one.properties);
       if (own.includes(name)) walk(here, isMap(node) ? node.get(name, true) : undefined, [...path, name]);
@@ -127,13 +155,12 @@ export function absent(top: Schema, text: string): string[] {
 export function keys(top: Schema): { key: string; words: string }[] {
   const sections: [string, Schema][] = [['', top], ...Object.entries(top.$defs ?? {})];
   return sections.flatMap(([section, schema]) =>
-    Object.keys(schema.properties ?? {}).map((name) => {
+    offered(schema).map((name) => {
       const here = below([schema], name, top);
-      const info = here.find((one) => one.description)?.description ?? '';
       const choices = here.flatMap((one) => one.enum ?? []).join(', ');
       return {
         key: section ? `${section}.${name}` : name,
-        words: [info, choices, detail(here)].filter(Boolean).join(' \u2013 '),
+        words: [meaning(here), choices, detail(here)].filter(Boolean).join(' \u2013 '),
       };
     }),
   );

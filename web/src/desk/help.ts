@@ -43,7 +43,7 @@ export class Help {
       placeholder: 'mu_d',
     });
     search.value = this.wanted;
-    const found = el('dl', { lang: 'en' });
+    const found = el('dl');
     const fill = (): void => {
       const schema = this.schema();
       const words = this.wanted.toLowerCase().split(/\s+/).filter(Boolean);

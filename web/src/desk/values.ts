@@ -5,7 +5,7 @@ import { addValue, parsed, pathOf, setValue, type Path } from './splice';
 import { about, absent, type Schema } from './complete';
 import type { Editing } from './desk';
 import { field } from './route';
-import { languageNow, t } from './words';
+import { t } from './words';
 
 interface Leaf {
   path: Path;
@@ -26,9 +26,8 @@ const isPiece = (path: Path) => path[0] === 'route' && path[1] === 'pieces';
 export function valuesView(place: HTMLElement, editing: Editing, schema: Schema | undefined): void {
   const found: Leaf[] = [];
   leaves(parsed(editing.text()).contents, [], found);
-  const said = document.createElement('p'); // the engine's help of the field that has the focus
+  const said = document.createElement('p'); // help of the field that has the focus
   said.className = 'reading';
-  said.lang = 'en';
   const sections = new Map<string, HTMLFieldSetElement>();
   for (const { path, value } of found) {
     if (isPiece(path)) continue;
@@ -50,7 +49,7 @@ export function valuesView(place: HTMLElement, editing: Editing, schema: Schema 
     const help = schema ? about(schema, path) : '';
     label.title = help;
     label.addEventListener('focusin', () => (said.textContent = `${path.join('.')}: ${help || '–'}`));
-    if (help && languageNow() === 'en') text.append(el('small', {}, help.split('. ')[0] ?? ''));
+    if (help) text.append(el('small', {}, help.split(/\. |。/)[0] ?? ''));
     label.append(
       text,
       field(path.join('.'), value, '', (next) =>

@@ -1,3 +1,4 @@
+import { SCHEMA_ROWS } from './schema_words';
 import { ROWS } from './words_table';
 
 /** The desk's own words: English, Chinese, German. Those of theory and its page are the engine's (io/results/words.c). */
@@ -7,7 +8,7 @@ export type Language = (typeof LANGUAGES)[number];
 let language: Language = 'en';
 const missing = new Set<string>();
 
-const rows = new Map(ROWS.map((row) => [row[0], row]));
+const rows = new Map([...SCHEMA_ROWS, ...ROWS].map((row) => [row[0], row]));
 
 export const languageNow = (): Language => language;
 export const languageNumber = (): number => LANGUAGES.indexOf(language);

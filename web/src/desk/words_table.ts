@@ -378,9 +378,9 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ],
   [
     'help schema',
-    '程序对每个键的说明（英文）：量、默认值、可选值。',
-    'Was das Programm zu jedem Schlüssel sagt, auf Englisch: Größe, Vorgabe, Auswahl.',
-    'What the program says of each key, in English: quantity, default, choices.',
+    '每个键的说明：含义、可选值、量、默认值。',
+    'Was jeder Schlüssel bedeutet: Sinn, Auswahl, Größe, Vorgabe.',
+    'What each key means: meaning, choices, quantity, default.',
   ],
   [
     'verdict safe, help',
