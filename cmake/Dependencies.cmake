@@ -22,9 +22,8 @@ pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 set(HAWSER_HDF5_LIBRARY "")
 if(HAWSER_HDF5)
-    set(HDF5_NO_FIND_PACKAGE_CONFIG_FILE ON) # paths, which hawser.pc requires, and no targets of HDF5's own package
-    find_package(HDF5 REQUIRED COMPONENTS C)
-    set(HAWSER_HDF5_LIBRARY hdf5::hdf5)
+    pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5) # Debian has several, others one
+    set(HAWSER_HDF5_LIBRARY PkgConfig::HDF5)
 endif()
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)

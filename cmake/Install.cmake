@@ -10,6 +10,9 @@ endforeach()
 # What the folders link outside the project. A new library belongs here too, and its licence in NOTICE: tests/install builds
 # a consumer of the static library from nothing but this list.
 set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson zlib nlopt libzip) # known to pkg-config
+if(HAWSER_HDF5)
+    list(APPEND HAWSER_PRIVATE_PACKAGES ${HDF5_MODULE_NAME})
+endif()
 if(HAWSER_SHAPELIB)
     list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)
 endif()
@@ -19,10 +22,6 @@ list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\
 foreach(name ${HAWSER_SUNDIALS_NAMES})
     list(APPEND HAWSER_PRIVATE_LIBRARIES -l${name})
 endforeach()
-if(HAWSER_HDF5) # by its path: Debian has several, and none in the linker's folders
-    list(GET HDF5_C_LIBRARIES 0 library)
-    list(APPEND HAWSER_PRIVATE_LIBRARIES ${library})
-endif()
 list(APPEND HAWSER_PRIVATE_LIBRARIES -lm -lpthread -ldl)
 
 # The SONAME's number changes with every change that a program built before could trip over (docs/guide/c.md, "Growing"): below

@@ -36,7 +36,7 @@ done
 
 grep -q "^## $version" "$prefix/share/doc/hawser/CHANGELOG.md" || fail "CHANGELOG.md does not speak of $version"
 # NOTICE names every library of others that the static library needs.
-sed -n 's/^Requires.private: //p; s/^Libs.private: //p' "$lib/pkgconfig/hawser.pc" | tr ' ' '\n' | sed 's/^-l/lib/; s!^/.*/\(lib[^/]*\)[.].*$!\1!' |
+sed -n 's/^Requires.private: //p; s/^Libs.private: //p' "$lib/pkgconfig/hawser.pc" | tr ' ' '\n' | sed 's/^-l/lib/' |
     grep -v -x -e libm -e libpthread -e libdl -e '' | while read -r library; do
     grep -qw -e "$library" "$prefix/share/doc/hawser/NOTICE" || fail "NOTICE does not name $library"
 done
