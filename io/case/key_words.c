@@ -1,4 +1,5 @@
-/* The meaning of every key of a case. docs/reference/case-keys.md, the schema, the desk and mock-up units show these words. */
+/* The meaning of every key of a case. docs/reference/case-keys.md, the schema, the desk and mock-up units show these
+ * words. */
 #include <stdio.h>
 #include <string.h>
 

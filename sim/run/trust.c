@@ -436,7 +436,7 @@ static const struct {
 int trust_kind(const char *name)
 {
     int k = sizeof kinds / sizeof *kinds - 1;
-    while (k >= 0 && !(name && !strcmp(name, kinds[k].name))) k--;
+    while (k >= 0 && !(name && kinds[k].name && !strcmp(name, kinds[k].name))) k--;
     return k;
 }
 

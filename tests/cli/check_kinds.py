@@ -86,7 +86,7 @@ KINDS = {
     "true-mm.dxf": (dxf(line(0, 0, 50000, 0), line(50000, 0, 50000, 30000), head=MM), [80]),
     "station-height.csv": ("Station,Height\n0,10\n50,12\n100,11\n", [math.hypot(50, 2) + math.hypot(50, 1)]),
     "chainage-niveau.csv": ("Chainage (m);Niveau\n0;10\n50;12\n", [math.hypot(50, 2)]),
-    "abstand-hoehe.csv": ("Abstand;Höhe\n0;10\n50;12\n100;15\n", "the columns are none of these"),
+    "abstand-hoehe.csv": ("Abstand;Höhe\n0;10\n50;12\n100;15\n", "not known: 1 'Abstand'"),
     "slope-of-two.csv": ("Length,Slope\n100,2.5\n100,-1\n", "per cent?"),
     "slope-percent-cells.csv": ("Length,Slope\n100,2.5%\n100,-1%\n", [200]),
     "pente.csv": ("Longueur;Pente\n100;3\n100;-2\n", "per cent?"),

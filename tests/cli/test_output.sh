@@ -92,7 +92,7 @@ done
 
 # the disk fills while it runs (a limit on the size of a file, in blocks of 512 bytes, stands in for it)
 what="hawser run under ulimit -f"
-(cd "$work" && ulimit -f 200 && exec "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err)
+(cd "$work" && ulimit -f 400 && exec "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err)
 status=$?
 [ $status = 4 ] || fail "$what: exit status $status, not 4"
 says err "small/results.h5" "File too large"
