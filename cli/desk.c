@@ -13,9 +13,9 @@ extern char **environ;
 static const char help[] = "Usage: hawser desk [CASE] [options]\n"
                            "\n"
                            "Writes the desk, one HTML file that calculates pulls in any browser without\n"
-                           "hawser and without a network (docs/guide), with the text of CASE in it, and\n"
-                           "opens it where there is a screen. Files that the case names (a route, a\n"
-                           "drawing) are not in it: open them on the desk as well.\n"
+                           "hawser and without a network (docs/guide), with CASE in it and the files that\n"
+                           "it names (route, drawing, models, catalogue), and opens it where there is a\n"
+                           "screen.\n"
                            "\n"
                            "  -o, --output FILE       where it goes (default: CASE's name with -desk.html,\n"
                            "                          or desk.html)\n"
@@ -23,8 +23,8 @@ static const char help[] = "Usage: hawser desk [CASE] [options]\n"
                            "  -h, --help              this text\n"
                            "  -V, --version           the version\n"
                            "\n"
-                           "Exit status: 0 done; 2 the case cannot be read; 4 the file cannot be written; 5\n"
-                           "no memory.\n";
+                           "Exit status: 0 done; 2 the case or a file that it names cannot be read; 4 the\n"
+                           "page cannot be written; 5 no memory.\n";
 
 /* Opens the page in the desktop's default browser. */
 static void open_page(const char *path)

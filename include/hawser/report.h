@@ -76,8 +76,8 @@ hawser_status hawser_model_convert(const char *model, const char *path, const ha
                                    char **text, hawser_error *err);
 
 /* Writes the desk (docs/guide/first-pull.md) to `path`, one HTML file for any browser that contains the text of a case
- * file; NULL: an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside
- * the program), OUTPUT, MEMORY. */
+ * file and the files that it names; NULL: an example. Errors: INPUT (the case is no YAML; a file that it names cannot
+ * be read; `path` leads to one of them; the desk is not beside the program), OUTPUT, MEMORY. */
 hawser_status hawser_desk_write(const char *case_path, const char *path, hawser_error *err);
 
 #ifdef __cplusplus

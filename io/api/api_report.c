@@ -1,4 +1,5 @@
 /* Pages and figures of results: reads folders and writes files. */
+#define _GNU_SOURCE /* asprintf */
 #include "core/error.h"
 #include "core/file.h"
 #include "hawser/hawser.h"
@@ -187,47 +188,120 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
     return status;
 }
 
-/* Puts a case's text into the desk in place of the empty one. */
-static hawser_status desk_fill(const char *desk, const char *name, const char *text, const char *path,
-                               hawser_error *err)
+/* A page of the desk with a case in it, as it is filled. */
+typedef struct DeskPage {
+    Text page;
+    const char *folder; /* of the case, with its slash; "": the working folder */
+    FileMarks marks;    /* files that were read */
+    int files;          /* those that are in the page */
+    hawser_error *err;
+} DeskPage;
+
+static hawser_status desk_files(DeskPage *in, const char *text, const char *path, const char *from);
+
+/* The name's folder with its slash, as so many characters. */
+static int folder_length(const char *name)
+{
+    const char *const slash = strrchr(name, '/');
+    return slash ? (int)(slash - name) + 1 : 0;
+}
+
+/* Puts a file into the page, once, under its name from the case's folder. from: the name of the file that names it.
+ * includes: it may name others. */
+static hawser_status desk_file(DeskPage *in, const CaseNode *node, const char *from, int includes)
+{
+    char *name = NULL, *path = NULL, *bytes = NULL;
+    size_t size = 0;
+    hawser_error why = {HAWSER_OK, ""};
+    if (asprintf(&name, "%.*s%s", *node->text == '/' ? 0 : folder_length(from), from, node->text) < 0) name = NULL;
+    if (!name || asprintf(&path, "%s%s", *name == '/' ? "" : in->folder, name) < 0) path = NULL;
+    hawser_status status = path ? case_file_read(path, &bytes, &size, &why) : error_memory(&why);
+    if (status) status = case_key_cause(in->err, node, NULL, "", &why);
+    const int before = in->marks.n;
+    if (!status) status = file_marks_add(&in->marks, path, in->err);
+    if (!status && in->marks.n > before) {
+        text_add(&in->page, in->files++ ? "," : "");
+        text_json(&in->page, name);
+        text_add(&in->page, ":\"");
+        text_base64(&in->page, (const unsigned char *)bytes, size);
+        text_add(&in->page, "\"");
+        if (includes) status = desk_files(in, bytes, path, name);
+    }
+    free(bytes);
+    free(path);
+    free(name);
+    return status;
+}
+
+/* The texts below a node that name files: those of a key `file`, or all of `include`. */
+static hawser_status desk_named(DeskPage *in, const CaseNode *node, const char *from, int includes)
+{
+    hawser_status status = HAWSER_OK;
+    if (node->kind == NODE_TEXT && *node->text && (includes || (node->key && !strcmp(node->key, "file"))))
+        status = desk_file(in, node, from, includes);
+    for (const CaseNode *below = node->first; below && !status; below = below->next)
+        status = desk_named(in, below, from, includes);
+    return status;
+}
+
+/* The files that a case, or a file that it includes, names. */
+static hawser_status desk_files(DeskPage *in, const char *text, const char *path, const char *from)
+{
+    static const char *const sections[] = {"include", "route", "drawing", "environment"};
+    CaseTree *tree = NULL;
+    hawser_status status = case_tree_parse(text, path, &tree, in->err);
+    for (size_t k = 0; k < sizeof sections / sizeof *sections && !status; ++k) {
+        const CaseNode *const node = case_node_key(tree->root, sections[k]);
+        if (node) status = desk_named(in, node, from, k == 0);
+    }
+    case_tree_free(tree);
+    return status;
+}
+
+/* Puts a case's text and its files into the desk in place of the empty one. */
+static hawser_status desk_fill(DeskPage *in, const char *desk, const char *case_path, const char *text)
 {
     static const char place[] = "id=\"case\">";
     const char *const at = strstr(desk, place), *const rest = at ? strstr(at, "</script>") : NULL;
-    Text page = {0};
-    if (!rest) return error_set(err, HAWSER_ERR_INPUT, "the desk beside the program is not this version's");
-    text_bytes(&page, desk, (size_t)(at - desk) + sizeof place - 1);
-    text_add(&page, "{\"name\":");
-    text_json(&page, name);
-    text_add(&page, ",\"text\":");
-    text_json(&page, text);
-    text_add(&page, "}");
-    text_add(&page, rest);
-    const hawser_status status = page.failed ? error_memory(err) : out_file(path, page.at, page.size, err);
-    text_clear(&page);
-    return status;
+    if (!rest) return error_set(in->err, HAWSER_ERR_INPUT, "the desk beside the program is not this version's");
+    text_bytes(&in->page, desk, (size_t)(at - desk) + sizeof place - 1);
+    text_add(&in->page, "{\"name\":");
+    text_json(&in->page, case_path + folder_length(case_path));
+    text_add(&in->page, ",\"text\":");
+    text_json(&in->page, text);
+    text_add(&in->page, ",\"files\":{");
+    const hawser_status status = desk_files(in, text, case_path, "");
+    text_add(&in->page, "}}");
+    text_add(&in->page, rest);
+    return status || !in->page.failed ? status : error_memory(in->err);
 }
 
 hawser_status hawser_desk_write(const char *case_path, const char *path, hawser_error *err)
 {
     static const char place[] = "share/hawser/desk.html";
-    char *desk = NULL, *text = NULL;
+    char *desk = NULL, *text = NULL, *folder = NULL;
     size_t size = 0, length = 0;
-    FileMarks marks = {0};
+    DeskPage in = {.err = err};
     if (!path) return error_argument(err, "path");
     char *const shipped = shipped_find(place);
     hawser_status status = HAWSER_OK;
     if (!shipped) status = error_set(err, HAWSER_ERR_INPUT, "there is no %s beside the program", place);
     if (!status) status = case_file_read(shipped, &desk, &size, err);
-    if (!status) status = file_marks_add(&marks, shipped, err);
+    if (!status) status = file_marks_add(&in.marks, shipped, err);
     if (!status && case_path) status = case_file_read(case_path, &text, &length, err);
-    if (!status && case_path) status = file_marks_add(&marks, case_path, err);
+    if (!status && case_path) status = file_marks_add(&in.marks, case_path, err);
     if (!status && text && strlen(text) != length)
         status = error_set(err, HAWSER_ERR_INPUT, "%.300s: no text: it has a NUL character", case_path);
-    if (!status) status = file_marks_spare(&marks, path, err);
-    const char *const slash = case_path ? strrchr(case_path, '/') : NULL;
-    if (!status && text) status = desk_fill(desk, slash ? slash + 1 : case_path, text, path, err);
-    if (!status && !text) status = out_file(path, desk, size, err);
-    file_marks_free(&marks);
+    if (!status && text) {
+        folder = strndup(case_path, (size_t)folder_length(case_path));
+        in.folder = folder;
+        status = folder ? desk_fill(&in, desk, case_path, text) : error_memory(err);
+    }
+    if (!status) status = file_marks_spare(&in.marks, path, err);
+    if (!status) status = out_file(path, text ? in.page.at : desk, text ? in.page.size : size, err);
+    file_marks_free(&in.marks);
+    text_clear(&in.page);
+    free(folder);
     free(shipped);
     free(desk);
     free(text);

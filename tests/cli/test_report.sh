@@ -100,4 +100,24 @@ run_hawser 2 plot r tensions
 says err "'tensions' is no figure"
 run_hawser 2 plot empty
 run_hawser 4 plot r -o pull.yaml
+# the desk has the case in it with every file that it names, from wherever that is named
+mkdir -p "$work/job/lists"
+cp "$source/cases/theory/route-table.csv" "$work/job/line #1.csv"
+echo "include: more.yaml" >"$work/job/lists/own.yaml"
+echo "{}" >"$work/job/lists/more.yaml"
+printf '%s\n' 'include: [lists/own.yaml]' 'route:' '  file: "line #1.csv"' >"$work/job/pull.yaml"
+run_hawser 0 desk job/pull.yaml -q
+exists pull-desk.html
+for name in "line #1.csv" lists/own.yaml lists/more.yaml; do
+    entry="\"$name\":\"$(base64 -w 0 "$work/job/$name")\""
+    grep -qF -- "$entry" "$work/pull-desk.html" || fail "$what: $name is not in the page"
+done
+rm "$work/pull-desk.html"
+run_hawser 2 desk job/pull.yaml -q -o job/lists/more.yaml
+says err "which is an input"
+rm "$work/job/line #1.csv"
+run_hawser 2 desk job/pull.yaml -q
+says err "job/pull.yaml:3" "route.file" "line #1.csv"
+missing pull-desk.html
+
 finish

@@ -149,10 +149,11 @@ export type Call =
   | 'report';
 
 /** The place of a name that a case gives: the case is in /case, '../x.csv' is beside that folder. */
-export const placeOf = (name: string): string => decodeURIComponent(new URL(name, 'file:///case/').pathname);
+export const placeOf = (name: string): string =>
+  decodeURIComponent(new URL(name.split('/').map(encodeURIComponent).join('/'), 'file:///case/').pathname);
 
 /** Folders of the engine's own. */
-const OWN = /^\/(library|web|run|dev|proc|home|tmp)\//;
+const OWN = /^\/(library|web|run|dev|proc|tmp)\//;
 
 /** Files by their places. */
 export type Files = ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
@@ -304,9 +305,11 @@ export function workerOf(script: string): Worker {
   return new Worker(url);
 }
 
-/** Bytes that are in the page, deflated and as base64. */
+/** Bytes that are in the page, as base64; deflated ones, too. */
+export const bytesOf = (base64: string): Uint8Array<ArrayBuffer> =>
+  Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+
 export async function inflated(base64: string): Promise<ArrayBuffer> {
-  const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  const stream = new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
   return new Response(stream).arrayBuffer();
 }

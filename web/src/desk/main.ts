@@ -19,6 +19,7 @@ import { Catalogue } from './catalogue';
 import { completions, type Schema } from './complete';
 import { newest, Place, quantity, worstChain, writtenAt, type Desk } from './desk';
 import {
+  bytesOf,
   Engine,
   EngineError,
   inflated,
@@ -89,7 +90,7 @@ let us = false;
 let simulation: Simulation | undefined;
 let saved = '';
 let eol = '\n'; // how the lines of the case's file end
-let given: Draft | null = null;
+let given: (Draft & { files?: Record<string, string> }) | null = null; // files: by their names, as base64
 let name = 'case.yaml';
 
 // ------------------------------------------------------------------------------------------------------------ the text
@@ -759,7 +760,8 @@ async function start(): Promise<void> {
   say(t('The engine is starting.'));
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
-  if (drafted) await engine.hold(await keptFiles(draftKey()));
+  const own = Object.entries(given?.files ?? {}).map(([file, bytes]) => [placeOf(file), bytesOf(bytes)] as const);
+  await engine.hold(new Map([...own, ...(drafted ? await keptFiles(draftKey()) : [])]));
   say('');
   ready = true;
   schema = JSON.parse(await engine.call('schema')) as Schema;

@@ -2,7 +2,7 @@
 import { el } from '../dom';
 import type { ReportData } from '../data';
 import type { Live, live } from '../live';
-import { inflated, messageOf, type Engine, type Moment } from './engine';
+import { bytesOf, inflated, messageOf, type Engine, type Moment } from './engine';
 import { Run, Stopped, type RunParts } from './run_worker';
 import { t } from './words';
 
@@ -165,10 +165,7 @@ export class Simulation {
     const files = new Map(desk.engine()?.files ?? []);
     files.set('/web/report.js', encoded('report-script'));
     files.set('/web/report.css', encoded('report-style'));
-    files.set(
-      '/web/report.sum',
-      Uint8Array.from(atob(text('report-sum')), (c) => c.charCodeAt(0)),
-    );
+    files.set('/web/report.sum', bytesOf(text('report-sum')));
     const module = await inflated(text('engine'));
     const parts = { script: `${text('glue')}\n${text('worker')}`, module, files };
     const run = new Run(
