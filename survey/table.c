@@ -1060,6 +1060,19 @@ static hawser_status row_read(SurveyInput *in, Columns *columns, int n, char *ce
 
 /* ---------------------------------------------------------------------------------------------- unused columns */
 
+/* Checks for a quantity: a number, with or without a unit or a side, a station or a ratio; a date and "12A" are none.
+ */
+static int is_quantity(const SurveyInput *in, char separator, const char *text)
+{
+    char plain[80], *end;
+    double value;
+    if (!begins_number(text)) return 0;
+    if (station_read(in, text, &value) || ratio_read(in, text, &value)) return 1;
+    if (!number_plain(separator, text, plain, sizeof plain) || !input_number(in, plain, &end, &value)) return 1;
+    end += strspn(end, " ");
+    return !*end || unit_find(end, strlen(end)) || head_turn(end) != TURN_NONE;
+}
+
 /* Handles columns without a meaning: refuses those with numbers, which may be a part of the route or a property of its
  * pieces, and reports the others as unused. */
 static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *columns, int from, const char *is_row)
@@ -1069,7 +1082,7 @@ static hawser_status unknown_say(SurveyInput *in, const Lines *lines, Columns *c
         const int n = is_row[i] ? row_split(in, lines, i, columns->separator, columns, cell) : 0;
         for (int c = 0; c < n && c < columns->n; ++c) {
             columns->column[c].rows += *cell[c] != 0;
-            columns->column[c].numbers += begins_number(cell[c]);
+            columns->column[c].numbers += is_quantity(in, columns->separator, cell[c]);
         }
     }
     for (int c = 0; c < columns->n; ++c) {

@@ -94,6 +94,11 @@ TEST(other_columns_are_said)
     assert_int_equal(s.n_ignored, 4);
     assert_string_equal(s.ignored[0].what, "column 'cost'");
     survey_clear(&s);
+    /* dates and names that begin with a digit are no numbers */
+    s = good("length;laid;built;manhole\n300;2024-05-01;1.5.2024;12A\n100;2024-05-03;;7-8\n");
+    assert_int_equal(s.n_ignored, 3);
+    survey_clear(&s);
+    bad("length;a;b;c;d;f\n300;12 mm;0+050;1:50;1,5;45 L\n", "not known: 2 'a', 3 'b', 4 'c', 5 'd', 6 'f';");
     assert_string_equal(ignoring("length,cost,Grade %\n300,1200,20\n", "Cost\ngrade", &s), "");
     assert_int_equal(s.n_ignored, 0);
     check_close(alignment_measure(&s.alignment[0]).end.z, 0, 0);
