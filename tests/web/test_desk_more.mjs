@@ -99,17 +99,15 @@ test('hawser desk CASE has the case in it, whatever stands in its text, and writ
   await close();
   // the files that it names are there when it opens
   writeFileSync(join(folder, 'line #1.csv'), read('cases/theory/route-table.csv'));
-  writeFileSync(
-    file,
-    read('docs/tutorial/duct.yaml').replace(/^route:[^]*?(?=^\w)/m, 'route: {file: "line #1.csv"}\n'),
-  );
+  const named = read('docs/tutorial/duct.yaml').replace(/^route:[^]*?(?=^\w)/m, 'route: {file: "line #1.csv"}\n');
+  writeFileSync(file, named);
   execFileSync(hawser, ['desk', file, '-q', '-o', page_file]);
   const whole = await openFile(page_file, {}, settled);
   assert.notEqual(await whole.page.textContent('#verdict'), 'NOT A CASE YET', await whole.page.textContent('#words'));
   assert.deepEqual(whole.heard, []);
   await whole.close();
   assert.equal(spawnSync(hawser, ['desk', file, '-q', '-o', file]).status, 2);
-  assert.equal(readFileSync(file, 'utf8'), text);
+  assert.equal(readFileSync(file, 'utf8'), named);
   assert.equal(spawnSync(hawser, ['desk', join(folder, 'none.yaml'), '-q', '-o', page_file]).status, 2);
   rmSync(folder, { recursive: true });
 });
